@@ -1,0 +1,36 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+#include "Format.h"
+#include "Failure.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+namespace hde_remesh {
+
+Format format_of(const std::string& file_name)
+{
+  std::string extension = std::filesystem::path(file_name).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](const unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (extension == ".off")
+    return Format::OFF;
+  if (extension == ".obj")
+    return Format::OBJ;
+  if (extension == ".ply")
+    return Format::PLY;
+  if (extension == ".stl")
+    return Format::STL;
+  throw Failure(extension.empty() ? in_quotes(file_name) + " has no extension: .off, .obj, .ply or .stl tells the format"
+                                  : in_quotes(file_name) + " has the unknown extension " + in_quotes(extension) +
+                                        ": .off, .obj, .ply and .stl are known");
+}
+
+} // namespace hde_remesh

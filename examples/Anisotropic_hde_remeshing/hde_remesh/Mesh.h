@@ -1,0 +1,37 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+#ifndef HDE_REMESH_MESH_H
+#define HDE_REMESH_MESH_H
+
+#include "Soup.h"
+
+#include <CGAL/Surface_mesh.h>
+
+#include <cstddef>
+#include <string>
+
+namespace hde_remesh {
+
+typedef CGAL::Surface_mesh<Point_3> Mesh;
+
+struct Checked_mesh
+{
+  Mesh mesh;
+  std::size_t number_of_isolated_vertices = 0; // points without a face, which the mesh does not have
+};
+
+// The triangle mesh of a soup, with the vertices and faces in their order. Fails, with the name of the file and the place,
+// if the soup is no manifold, consistently oriented mesh of triangles.
+Checked_mesh mesh_of_soup(const Soup& soup, const std::string& file_name);
+
+Soup soup_of_mesh(const Mesh& mesh);
+
+} // namespace hde_remesh
+
+#endif // HDE_REMESH_MESH_H

@@ -1,0 +1,50 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+
+#ifndef HDE_REMESH_REPORT_H
+#define HDE_REMESH_REPORT_H
+
+#include "Figures.h"
+
+#include <CGAL/Anisotropic_hde_remeshing/Rbf_diagnostics.h>
+#include <CGAL/Anisotropic_hde_remeshing/Remeshing_result.h>
+
+#include <cstddef>
+#include <iosfwd>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace hde_remesh {
+
+// all that the program has to tell
+struct Report
+{
+  std::string input, output, version;
+  std::size_t number_of_isolated_vertices = 0;
+  std::string kernel, scheme;
+  double diagonal = 0; // of the bounding box of the input
+  std::optional<std::size_t> number_of_target_faces;
+  Hde::Remeshing_result result;
+  Hde::Rbf_diagnostics rbf;
+  Figures before, after;
+  std::optional<Hde::Distance_measures> distance; // first: the output, second: the input
+  std::vector<std::pair<std::string, double>> stages; // their names and wall times in seconds
+};
+
+// for people
+void print_table(const Report& report, std::ostream& stream);
+
+// for programs
+std::string to_json(const Report& report);
+
+} // namespace hde_remesh
+
+#endif // HDE_REMESH_REPORT_H

@@ -1,0 +1,32 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+#ifndef HDE_REMESH_SOUP_H
+#define HDE_REMESH_SOUP_H
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace hde_remesh {
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+typedef Kernel::Point_3 Point_3;
+typedef Kernel::Vector_3 Vector_3;
+
+// what a mesh file holds, before anybody asks whether it is a mesh
+struct Soup
+{
+  std::vector<Point_3> points;
+  std::vector<std::vector<std::size_t>> faces;
+};
+
+} // namespace hde_remesh
+
+#endif // HDE_REMESH_SOUP_H

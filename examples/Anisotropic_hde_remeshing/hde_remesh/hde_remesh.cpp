@@ -1,0 +1,248 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+
+// hde_remesh IN OUT: the package as a program. `hde_remesh --help` says what it does.
+
+#include "Failure.h"
+#include "Format.h"
+#include "Report.h"
+#include "Stopwatch.h"
+#include "Whole_file.h"
+#include "measure.h"
+#include "mesh_file.h"
+#include "options.h"
+#include "progress.h"
+#include "remesh.h"
+#include "signals.h"
+
+#include <CGAL/assertions_behaviour.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#  include <tbb/global_control.h>
+#endif
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <iostream>
+#include <new>
+#include <optional>
+#include <string>
+
+namespace hde_remesh {
+
+namespace {
+
+void note(const Options& options, const std::string& text)
+{
+  if (!options.quiet)
+    std::cerr << "hde_remesh: note: " << text << std::endl;
+}
+
+// all that can be known to go wrong before the long computation
+void check_files(const Options& options)
+{
+  format_of(options.input);
+  format_of(options.output);
+  if (options.json == options.input || options.json == options.output)
+    throw Failure("--json names the file " + in_quotes(options.json) + ", which is IN or OUT", STATUS_USAGE);
+  const Whole_file output(options.output);
+  if (!options.json.empty() && options.json != "-")
+    const Whole_file json(options.json);
+}
+
+Checked_mesh read_mesh(const Options& options)
+{
+  Checked_mesh input = mesh_of_soup(read_soup(options.input), options.input);
+  const double d = diagonal(input.mesh);
+  if (!std::isfinite(d * d) || !(d * d > 0))
+    throw Failure(in_quotes(options.input) + ": its bounding box has the diagonal " + std::to_string(d) +
+                  ", with which nobody can compute");
+  return input;
+}
+
+// With V vertices, b of them on boundaries, and the Euler characteristic c, a triangle mesh has 2 V - 2 c - b faces. The
+// number of boundary vertices goes with the square root of that of the faces.
+std::size_t faces_for_vertices(const long long number_of_vertices, const Hde::Topology_measures& input)
+{
+  const double least = 4;
+  double faces = static_cast<double>(input.number_of_faces);
+  for (int i = 0; i < 20; ++i)
+  {
+    const double boundary = static_cast<double>(input.number_of_boundary_edges) *
+                            std::sqrt(faces / static_cast<double>(input.number_of_faces));
+    faces = 2 * static_cast<double>(number_of_vertices) - 2 * static_cast<double>(input.euler_characteristic) - boundary;
+    faces = (std::max)(least, faces);
+  }
+  return static_cast<std::size_t>(faces);
+}
+
+Sizes sizes_of(const Options& options, const Mesh& mesh)
+{
+  Sizes sizes;
+  sizes.sigma = options.absolute_sigma.value_or(options.sigma.value_or(0.01) * diagonal(mesh));
+  if (options.length)
+    sizes.edge_length = options.length;
+  else if (options.vertices)
+    sizes.number_of_faces = faces_for_vertices(*options.vertices, measure_topology(mesh));
+  else
+    sizes.number_of_faces =
+        options.faces ? static_cast<std::size_t>(*options.faces) : static_cast<std::size_t>(mesh.number_of_faces());
+  return sizes;
+}
+
+void check_not_cancelled()
+{
+  if (is_cancelled())
+    throw Failure("cancelled; nothing was written", STATUS_CANCELLED);
+}
+
+void measure_all(const Mesh& input, const Remeshed& remeshed, const Options& options, Report& report)
+{
+  const double sigma = remeshed.result.sigma, length = remeshed.result.target_edge_length;
+  report.before = measure(input, remeshed.function, sigma, length, options.self_intersections);
+  report.after = measure(remeshed.mesh, remeshed.function, sigma, length, options.self_intersections);
+  if (!options.no_distance)
+    report.distance = measure_distance(remeshed.mesh, input);
+}
+
+void describe(const Options& options, const Checked_mesh& input, const Sizes& sizes, const Remeshed& remeshed,
+              Report& report)
+{
+  report.version = version_text();
+  report.input = options.input;
+  report.output = options.output;
+  report.number_of_isolated_vertices = input.number_of_isolated_vertices;
+  report.kernel = remeshed.kernel;
+  report.scheme = options.scheme;
+  report.diagonal = diagonal(input.mesh);
+  report.number_of_target_faces = sizes.number_of_faces;
+  report.result = remeshed.result;
+  report.rbf = remeshed.rbf;
+}
+
+void write_json(const Report& report, const Options& options)
+{
+  try
+  {
+    Whole_file(options.json).write([&](std::ostream& stream) { stream << to_json(report); });
+  }
+  catch (const Failure& failure)
+  {
+    throw Failure(std::string(failure.what()) + " (the mesh is written)");
+  }
+}
+
+void print(const Report& report, const Options& options)
+{
+  if (options.json == "-")
+    std::cout << to_json(report);
+  else if (!options.json.empty())
+    write_json(report, options);
+  if (!options.quiet && options.json != "-")
+    print_table(report, std::cout);
+  if (!std::cout.flush())
+    throw Failure("cannot write to the standard output (the mesh is written)");
+}
+
+void run(const Options& options)
+{
+  Report report;
+  Progress progress(!options.quiet);
+  Stopwatch stopwatch;
+  const auto end_stage = [&](const char* name, const double seconds) { report.stages.emplace_back(name, seconds); };
+
+  check_files(options);
+  progress.stage("reading");
+  const Checked_mesh input = read_mesh(options);
+  end_stage("reading", stopwatch.lap());
+  if (input.number_of_isolated_vertices > 0)
+  {
+    progress.clear();
+    note(options, std::to_string(input.number_of_isolated_vertices) + " vertices without a face are left out");
+  }
+
+  const Sizes sizes = sizes_of(options, input.mesh);
+  const Remeshed remeshed = remesh(input.mesh, sizes, options, progress);
+  check_not_cancelled();
+  end_stage("smooth function", remeshed.function_seconds);
+  end_stage("projection", remeshed.result.projection_seconds);
+  end_stage("remeshing", remeshed.result.remeshing_seconds);
+
+  stopwatch.lap();
+  progress.stage("writing");
+  write_soup(soup_of_mesh(remeshed.mesh), options.output);
+  end_stage("output", remeshed.result.output_seconds + stopwatch.lap());
+
+  progress.stage("measuring");
+  describe(options, input, sizes, remeshed, report);
+  measure_all(input.mesh, remeshed, options, report);
+  end_stage("measuring", stopwatch.lap());
+  progress.clear();
+  print(report, options);
+}
+
+#ifdef CGAL_LINKED_WITH_TBB
+// as long as it lives, no more threads than asked for
+std::optional<tbb::global_control> limit_of_threads(const Options& options)
+{
+  std::optional<tbb::global_control> limit;
+  if (options.threads)
+    limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(*options.threads));
+  return limit;
+}
+#endif
+
+int report_failure(const std::string& message, const int status)
+{
+  std::string line = message; // in one line, whatever a library has to say
+  std::replace(line.begin(), line.end(), '\n', ' ');
+  std::cerr << "hde_remesh: " << line << std::endl;
+  return status;
+}
+
+void be_silent(const char*, const char*, const char*, int, const char*) {}
+
+} // namespace
+
+} // namespace hde_remesh
+
+int main(int argc, char** argv)
+{
+  using namespace hde_remesh;
+  CGAL::set_error_handler(be_silent); // what CGAL throws is reported below, in one line
+  CGAL::set_warning_handler(be_silent);
+  install_signal_handlers();
+  try
+  {
+    const std::optional<Options> options = read_command_line(argc, argv);
+    if (!options)
+      return STATUS_SUCCESS;
+#ifdef CGAL_LINKED_WITH_TBB
+    const std::optional<tbb::global_control> limit = limit_of_threads(*options);
+#else
+    if (options->threads)
+      note(*options, "built without threads: --threads is ignored");
+#endif
+    run(*options);
+    return STATUS_SUCCESS;
+  }
+  catch (const Failure& failure)
+  {
+    return report_failure(failure.what(), failure.status());
+  }
+  catch (const std::bad_alloc&)
+  {
+    return report_failure("there is not enough memory", STATUS_FAILURE);
+  }
+  catch (const std::exception& error)
+  {
+    return report_failure(error.what(), STATUS_FAILURE);
+  }
+}

@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+#include "measure.h"
+
+#include <CGAL/Anisotropic_hde_remeshing/distance_measures.h>
+#include <CGAL/Anisotropic_hde_remeshing/quality_measures.h>
+#include <CGAL/Anisotropic_hde_remeshing/zero_set_measures.h>
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+
+#include <cmath>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+namespace hde_remesh {
+
+namespace {
+
+typedef CGAL::Parallel_if_available_tag Tag;
+
+std::size_t number_of_self_intersections(const Mesh& mesh)
+{
+  std::vector<std::pair<Mesh::Face_index, Mesh::Face_index>> pairs;
+  CGAL::Polygon_mesh_processing::self_intersections<Tag>(mesh, std::back_inserter(pairs));
+  return pairs.size();
+}
+
+} // namespace
+
+Hde::Topology_measures measure_topology(const Mesh& mesh) { return Hde::measure_topology(mesh); }
+
+double diagonal(const Mesh& mesh)
+{
+  const CGAL::Bbox_3 box = CGAL::bbox_3(mesh.points().begin(), mesh.points().end());
+  return std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin());
+}
+
+Figures measure(const Mesh& mesh, const Function_view& function, const double sigma, const double target_edge_length,
+                 const bool with_self_intersections)
+{
+  const auto np = CGAL::parameters::sigma(sigma);
+  Figures figures;
+  figures.topology = Hde::measure_topology(mesh);
+  figures.shape = Hde::measure_shape(mesh);
+  figures.embedding = Hde::measure_embedding<Tag>(mesh, function, np);
+  figures.embedding_to_target =
+      Hde::measure_embedding<Tag>(mesh, function, np.target_edge_length(target_edge_length));
+  figures.zero_set = Hde::measure_distance_to_zero_set<Tag>(mesh, function);
+  if (with_self_intersections)
+    figures.self_intersections = number_of_self_intersections(mesh);
+  return figures;
+}
+
+Hde::Distance_measures measure_distance(const Mesh& first, const Mesh& second)
+{
+  return Hde::measure_distance<Tag>(first, second);
+}
+
+} // namespace hde_remesh

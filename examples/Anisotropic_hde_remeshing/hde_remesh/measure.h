@@ -1,0 +1,30 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+#ifndef HDE_REMESH_MEASURE_H
+#define HDE_REMESH_MEASURE_H
+
+#include "Figures.h"
+#include "Function_view.h"
+#include "Mesh.h"
+
+namespace hde_remesh {
+
+Hde::Topology_measures measure_topology(const Mesh& mesh);
+
+// of the bounding box
+double diagonal(const Mesh& mesh);
+
+Figures measure(const Mesh& mesh, const Function_view& function, double sigma, double target_edge_length,
+                 bool with_self_intersections);
+
+Hde::Distance_measures measure_distance(const Mesh& first, const Mesh& second);
+
+} // namespace hde_remesh
+
+#endif // HDE_REMESH_MEASURE_H

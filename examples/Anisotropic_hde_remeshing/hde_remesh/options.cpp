@@ -1,0 +1,193 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+#include "options.h"
+#include "Failure.h"
+
+#include <CGAL/version.h>
+
+#include <CLI/CLI.hpp>
+
+#include <cmath>
+#include <sstream>
+
+#ifndef HDE_REMESH_VERSION
+#  define HDE_REMESH_VERSION "of unknown version" // the build system knows it
+#endif
+
+namespace hde_remesh {
+
+namespace {
+
+const char* help_header()
+{
+  return "Remeshes the surface of a triangle mesh with triangles that follow its curvature.\n\n"
+         "The vertices of the mesh IN and their normals give a smooth function, by radial basis\n"
+         "functions, whose zero set is the surface. New vertices are put on that surface, not on the\n"
+         "flat triangles of IN. Lengths are measured in six dimensions, position and sigma times unit\n"
+         "normal: an edge across a bend is longer than one along it, so that triangles of equal 6D\n"
+         "edges are short across bends and long along them.";
+}
+
+const char* help_footer()
+{
+  return "Formats: OFF, OBJ, PLY and STL, by the extension of the file name. PLY and STL are written\n"
+         "binary; STL keeps 7 digits only.\n"
+         "Units: lengths are in the unit of the mesh, but --sigma, a fraction of the diagonal D of the\n"
+         "bounding box of IN. A larger sigma gives longer, thinner triangles along the bends; 0 gives\n"
+         "triangles of equal sides everywhere. Useful values of --sigma are .005 to .05 for scans and\n"
+         ".05 to .3 for smooth, simple shapes.\n\n"
+         "Examples:\n"
+         "  hde_remesh bunny.off out.off                         as many triangles as before\n"
+         "  hde_remesh bunny.off out.ply --faces 20000 --sigma .02\n"
+         "  hde_remesh part.stl out.obj --vertices 5000 --json out.json\n"
+         "  hde_remesh scan.obj out.off --length .5 --scheme paper\n\n"
+         "Exit status: 0 done; 1 the input, a value or the output cannot be used; 2 the command line\n"
+         "cannot be understood; 130 cancelled by Ctrl-C. OUT and FILE are written whole or not at all:\n"
+         "without exit status 0, files of these names are as they were, but where the message says so.";
+}
+
+void add_size_options(CLI::App& app, Options& o)
+{
+  auto* sigma = app.add_option("--sigma", o.sigma, "weight of the normals, a fraction of D (default 0.01)");
+  app.add_option("--absolute-sigma", o.absolute_sigma, "weight of the normals, in the unit of the mesh")->excludes(sigma);
+  auto* faces = app.add_option("--faces", o.faces, "number of triangles to aim at (default: as many as IN has)");
+  auto* vertices = app.add_option("--vertices", o.vertices,
+                                  "number of vertices to aim at; turned into triangles by Euler's formula");
+  app.add_option("--length", o.length, "6D edge length to aim at, in the unit of the mesh")->excludes(faces)->excludes(vertices);
+  vertices->excludes(faces);
+}
+
+void add_function_options(CLI::App& app, Options& o)
+{
+  const std::string group = "The smooth function";
+  app.add_option("--kernel", o.kernel, "radial function: r3 (r^3, default) or thin-plate (r^2 log r)")
+      ->check(CLI::IsMember({"r3", "thin-plate"}))->group(group);
+  app.add_option("--patches", o.patches, "number of overlapping patches (default: one for 20 vertices)")->group(group);
+  app.add_option("--overlap", o.overlap, "how far a patch gathers vertices beyond its part, in local edge lengths")
+      ->group(group);
+  app.add_option("--offset", o.offset, "distance of the off-surface points, in the unit of the mesh\n"
+                                       "(default: a share of the local edge length)")->group(group);
+}
+
+void add_remeshing_options(CLI::App& app, Options& o)
+{
+  const std::string group = "The remeshing";
+  app.add_option("--scheme", o.scheme, "default, or paper: Algorithm 2 of Dassi, Farrell and Si")
+      ->check(CLI::IsMember({"default", "paper"}))->group(group);
+  app.add_option("--iterations", o.iterations, "number of iterations")->group(group);
+  app.add_option("--relaxation-steps", o.relaxation_steps, "smoothing passes in an iteration")->group(group);
+  app.add_option("--smoothing-ratio", o.smoothing_ratio, "share of the vertices that are smoothed, in (0, 1]")->group(group);
+  app.add_option("--collapse-ratio", o.collapse_ratio, "edges shorter than this times the length are contracted")
+      ->group(group);
+  app.add_option("--split-ratio", o.split_ratio, "edges longer than this times the length are split")->group(group);
+}
+
+void add_report_options(CLI::App& app, Options& o)
+{
+  const std::string group = "The report";
+  app.add_option("--json", o.json, "write the table to FILE as JSON; - writes it to the standard output, without the table")
+      ->type_name("FILE")->group(group);
+  app.add_flag("--self-intersections", o.self_intersections, "count the pairs of triangles that intersect, before and after")
+      ->group(group);
+  app.add_flag("--no-distance", o.no_distance, "do not measure the distance between IN and OUT")->group(group);
+  app.add_flag("-q,--quiet", o.quiet, "print nothing but errors")->group(group);
+}
+
+// `value` as a message shows it
+template <typename T>
+std::string to_text(const T value)
+{
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+template <typename T>
+void require(const char* name, const std::optional<T>& value, const bool holds, const char* what)
+{
+  if (value && !holds)
+    throw Failure(std::string(name) + " must be " + what + ", not " + to_text(*value));
+}
+
+void require_count(const char* name, const std::optional<long long>& value, const bool zero_is_fine = false)
+{
+  const long long least = zero_is_fine ? 0 : 1;
+  require(name, value, value && *value >= least, zero_is_fine ? "0 or more" : "positive");
+}
+
+void require_length(const char* name, const std::optional<double>& value, const bool zero_is_fine = false)
+{
+  const bool holds = value && std::isfinite(*value) && (zero_is_fine ? *value >= 0 : *value > 0);
+  require(name, value, holds, zero_is_fine ? "a finite number, 0 or more" : "a finite number above 0");
+}
+
+void check_values(const Options& o)
+{
+  require_length("--sigma", o.sigma, true);
+  require_length("--absolute-sigma", o.absolute_sigma, true);
+  require_length("--length", o.length);
+  require_count("--faces", o.faces);
+  require_count("--vertices", o.vertices);
+  require_count("--patches", o.patches);
+  require_length("--overlap", o.overlap, true);
+  require_length("--offset", o.offset);
+  require_count("--iterations", o.iterations, true);
+  require_count("--relaxation-steps", o.relaxation_steps, true);
+  require_length("--smoothing-ratio", o.smoothing_ratio, true);
+  require("--smoothing-ratio", o.smoothing_ratio, o.smoothing_ratio && *o.smoothing_ratio <= 1, "1 or less");
+  require_length("--collapse-ratio", o.collapse_ratio);
+  require_length("--split-ratio", o.split_ratio);
+  require_count("--threads", o.threads);
+}
+
+} // namespace
+
+std::string version_text()
+{
+  std::string text = "hde_remesh " HDE_REMESH_VERSION ", CGAL " CGAL_VERSION_STR;
+#ifdef CGAL_LINKED_WITH_TBB
+  text += ", parallel";
+#else
+  text += ", sequential";
+#endif
+  return text;
+}
+
+std::optional<Options> read_command_line(const int argc, char** argv)
+{
+  Options o;
+  CLI::App app(help_header(), "hde_remesh");
+  app.footer(help_footer());
+  app.set_version_flag("--version", version_text());
+  app.get_formatter()->column_width(34);
+  app.add_option("IN", o.input, "the mesh: triangles, manifold, with or without boundary")->required()->type_name("");
+  app.add_option("OUT", o.output, "where the new mesh is written")->required()->type_name("");
+  add_size_options(app, o);
+  add_function_options(app, o);
+  add_remeshing_options(app, o);
+  add_report_options(app, o);
+  app.add_option("--threads", o.threads, "use at most this number of threads (default: all); the result is the same");
+  try
+  {
+    app.parse(argc, argv);
+  }
+  catch (const CLI::Success& request)
+  {
+    app.exit(request);
+    return std::nullopt;
+  }
+  catch (const CLI::ParseError& error)
+  {
+    throw Failure(std::string(error.what()) + " (hde_remesh --help explains)", STATUS_USAGE);
+  }
+  check_values(o);
+  return o;
+}
+
+} // namespace hde_remesh

@@ -1,0 +1,43 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+#ifndef HDE_REMESH_OPTIONS_H
+#define HDE_REMESH_OPTIONS_H
+
+#include <optional>
+#include <string>
+
+namespace hde_remesh {
+
+// The command line. What is not given stays empty: the library has the default.
+struct Options
+{
+  std::string input, output;
+  std::optional<double> sigma, absolute_sigma;      // a fraction of the diagonal; a length
+  std::optional<long long> faces, vertices;         // signed, so that a negative count can be named
+  std::optional<double> length;
+  std::string kernel = "r3";
+  std::optional<long long> patches;
+  std::optional<double> overlap, offset;
+  std::optional<long long> iterations, relaxation_steps;
+  std::optional<double> smoothing_ratio, collapse_ratio, split_ratio;
+  std::string scheme = "default";
+  std::optional<long long> threads;
+  std::string json;
+  bool self_intersections = false, no_distance = false, quiet = false;
+};
+
+// the versions of this program and of CGAL
+std::string version_text();
+
+// Reads the command line; empty if it only asked for help or the version, which are then printed.
+std::optional<Options> read_command_line(int argc, char** argv);
+
+} // namespace hde_remesh
+
+#endif // HDE_REMESH_OPTIONS_H

@@ -1,0 +1,164 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+
+#include "Report.h"
+
+#include <cmath>
+#include <iomanip>
+#include <ostream>
+#include <sstream>
+
+namespace hde_remesh {
+
+namespace {
+
+std::string text(const std::size_t count) { return std::to_string(count); }
+
+std::string text(const std::optional<std::size_t>& count) { return count ? std::to_string(*count) : "-"; }
+
+std::string number(const double value, const int digits)
+{
+  std::ostringstream stream;
+  stream << std::setprecision(digits) << value;
+  return stream.str();
+}
+
+std::string fixed(const double value, const int decimals)
+{
+  if (!std::isfinite(value) || std::abs(value) >= 1e6)
+    return number(value, 4);
+  std::ostringstream stream;
+  stream << std::fixed << std::setprecision(decimals) << value;
+  return stream.str();
+}
+
+// Rounded down, so that 100 % means all.
+std::string percent(const double share) { return fixed(std::floor(share * 1e4 + 1e-6) / 100, 2) + " %"; }
+
+class Table
+{
+public:
+  Table(const Report& report, std::ostream& stream) : m_report(report), m_stream(stream) {}
+
+  void print()
+  {
+    row("", "before", "after");
+    print_topology(m_report.before.topology, m_report.after.topology);
+    print_shape(m_report.before.shape, m_report.after.shape);
+    print_embedding(m_report.before.embedding, m_report.after.embedding);
+    print_surface();
+    m_stream << '\n';
+    print_stages();
+    m_stream << '\n';
+    print_work();
+  }
+
+private:
+  void row(const std::string& name, const std::string& before, const std::string& after)
+  {
+    m_stream << std::left << std::setw(46) << name << std::right << std::setw(14) << before << std::setw(14) << after
+             << '\n';
+  }
+
+  // a length, relative to the diagonal
+  std::string relative(const double length) const { return number(length / m_report.diagonal, 3) + " D"; }
+
+  void print_topology(const Hde::Topology_measures& before, const Hde::Topology_measures& after)
+  {
+    row("vertices", text(before.number_of_vertices), text(after.number_of_vertices));
+    row("faces", text(before.number_of_faces), text(after.number_of_faces));
+    row("components", text(before.number_of_components), text(after.number_of_components));
+    row("boundary loops", text(before.number_of_boundary_loops), text(after.number_of_boundary_loops));
+    row("Euler characteristic", std::to_string(before.euler_characteristic), std::to_string(after.euler_characteristic));
+    row("interior vertices with 6 edges", percent(before.valence_6_share), percent(after.valence_6_share));
+  }
+
+  void print_shape(const Hde::Shape_measures& before, const Hde::Shape_measures& after)
+  {
+    row("aspect ratio q = R / 2r, mean", fixed(before.aspect_ratio_mean, 3), fixed(after.aspect_ratio_mean, 3));
+    row("aspect ratio, 99th percentile", fixed(before.aspect_ratio_p99, 3), fixed(after.aspect_ratio_p99, 3));
+    row("aspect ratio, largest", fixed(before.aspect_ratio_max, 3), fixed(after.aspect_ratio_max, 3));
+    row("degenerate faces", text(before.number_of_degenerate_faces), text(after.number_of_degenerate_faces));
+  }
+
+  void print_embedding(const Hde::Embedding_measures& before, const Hde::Embedding_measures& after)
+  {
+    const Hde::Embedding_measures& to_target = m_report.after.embedding_to_target;
+    row("6D edge length, mean m", number(before.edge_length_mean, 5), number(after.edge_length_mean, 5));
+    row("6D edge lengths in [.7, 1.41] m", percent(before.share_within_sqrt_2), percent(after.share_within_sqrt_2));
+    row("6D edge lengths in [.5, 1.5] m", percent(before.share_within_half), percent(after.share_within_half));
+    row("6D edge length aimed at, l", "-", number(to_target.target_edge_length, 5));
+    row("6D edge lengths in [.7, 1.41] l", "-", percent(to_target.share_within_sqrt_2));
+    row("least 6D angle of a face, mean, degrees", fixed(before.minimum_angle_mean, 2),
+        fixed(after.minimum_angle_mean, 2));
+    row("least 6D angle of all", fixed(before.minimum_angle_least, 2), fixed(after.minimum_angle_least, 2));
+    row("folded faces", text(before.number_of_folded_faces), text(after.number_of_folded_faces));
+  }
+
+  void print_surface()
+  {
+    const Figures &before = m_report.before, &after = m_report.after;
+    if (before.self_intersections || after.self_intersections)
+      row("pairs of faces that intersect", text(before.self_intersections), text(after.self_intersections));
+    const auto both = [&](const std::string& name, const double of_before, const double of_after)
+    { row(name, relative(of_before), relative(of_after)); };
+    both("interior vertices to the zero set, largest", before.zero_set.interior_vertex_max,
+         after.zero_set.interior_vertex_max);
+    both("boundary vertices to the zero set, largest", before.zero_set.boundary_vertex_max,
+         after.zero_set.boundary_vertex_max);
+    both("faces to the zero set, rms", before.zero_set.face_rms, after.zero_set.face_rms);
+    both("faces to the zero set, largest", before.zero_set.face_max, after.zero_set.face_max);
+    if (!m_report.distance)
+      return;
+    const Hde::Distance_measures& distance = *m_report.distance;
+    row("distance to the input, rms", "-", relative(distance.rms_from_first));
+    row("distance to the input, largest", "-", relative(distance.max_from_first));
+    row("distance from the input, rms", "-", relative(distance.rms_from_second));
+    row("distance from the input, largest", "-", relative(distance.max_from_second));
+  }
+
+  void print_stages()
+  {
+    double total = 0;
+    for (const auto& stage : m_report.stages)
+      total += stage.second;
+    for (const auto& stage : m_report.stages)
+      row("time: " + stage.first, fixed(stage.second, 2) + " s", fixed(100 * stage.second / total, 1) + " %");
+    row("time: all", fixed(total, 2) + " s", "");
+  }
+
+  void print_work()
+  {
+    const Hde::Remeshing_result& result = m_report.result;
+    const Hde::Rbf_diagnostics& rbf = m_report.rbf;
+    m_stream << "function: " << m_report.kernel << ", " << rbf.number_of_points << " points, " << rbf.number_of_patches
+             << " patches of " << fixed(rbf.mean_centres, 0) << " centres (at most " << rbf.max_centres << "), "
+             << fixed(static_cast<double>(rbf.memory_bytes) / 1e6, 1) << " MB, residual " << number(rbf.worst_residual, 2)
+             << '\n';
+    m_stream << "patches by fallback: " << rbf.patches_with_ridge << " ridge, " << rbf.patches_with_lu << " LU, "
+             << rbf.patches_on_fallback << " tangent planes; " << rbf.number_of_shortened_offsets
+             << " offsets shortened\n";
+    m_stream << "remeshing: " << result.number_of_iterations << " iterations, " << result.number_of_splits << " splits, "
+             << result.number_of_collapses << " contractions, " << result.number_of_flips << " flips; sigma "
+             << number(result.sigma, 5) << '\n';
+    m_stream << "projections: " << result.projections.newton << " by Newton's method, " << result.projections.bisection
+             << " by bisection, " << result.projections.closest_point << " by the closest point of the input\n";
+    m_stream << "D = " << number(m_report.diagonal, 6) << ", the diagonal of the bounding box\n";
+    m_stream << m_report.input << " -> " << m_report.output << '\n';
+  }
+
+  const Report& m_report;
+  std::ostream& m_stream;
+};
+
+} // namespace
+
+void print_table(const Report& report, std::ostream& stream) { Table(report, stream).print(); }
+
+} // namespace hde_remesh

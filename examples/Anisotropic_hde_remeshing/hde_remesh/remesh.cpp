@@ -1,0 +1,101 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+
+#include "remesh.h"
+#include "Stopwatch.h"
+
+#include <CGAL/Radial_basis_functions.h>
+#include <CGAL/Rbf_implicit_function.h>
+#include <CGAL/anisotropic_hde_remeshing.h>
+
+namespace hde_remesh {
+
+namespace {
+
+namespace parameters = CGAL::parameters;
+typedef CGAL::Anisotropic_hde_remeshing::Remeshing_scheme Remeshing_scheme;
+typedef CGAL::Anisotropic_hde_remeshing::Remeshing_result Remeshing_result;
+
+// Named parameters have their values at run time, but whether they are there is settled at compile time: hence the
+// branches below, one function a parameter that may be left out.
+
+template <typename Function, typename NamedParameters>
+Function build_with_offset(const Mesh& mesh, const Options& o, const NamedParameters& np)
+{
+  return o.offset ? Function(mesh, np.offset_distance(*o.offset)) : Function(mesh, np);
+}
+
+template <typename Function, typename NamedParameters>
+Function build_with_overlap(const Mesh& mesh, const Options& o, const NamedParameters& np)
+{
+  return o.overlap ? build_with_offset<Function>(mesh, o, np.patch_overlap(*o.overlap))
+                   : build_with_offset<Function>(mesh, o, np);
+}
+
+template <typename Function>
+Function build(const Mesh& mesh, const Options& o)
+{
+  const auto np = parameters::vertex_point_map(mesh.points());
+  return o.patches ? build_with_overlap<Function>(mesh, o, np.number_of_patches(static_cast<std::size_t>(*o.patches)))
+                   : build_with_overlap<Function>(mesh, o, np);
+}
+
+template <typename Function, typename NamedParameters>
+Remeshing_result run(Mesh& mesh, const Function& function, const Options& o, const NamedParameters& np)
+{
+  // what the scheme has where nothing is given
+  const auto defaults = CGAL::Anisotropic_hde_remeshing::internal::remeshing_parameters(np);
+  return CGAL::anisotropic_hde_remeshing<CGAL::Parallel_if_available_tag>(
+      mesh, function,
+      np.number_of_iterations(o.iterations.value_or(defaults.number_of_iterations))
+          .number_of_relaxation_steps(o.relaxation_steps.value_or(defaults.number_of_relaxation_steps))
+          .smoothing_ratio(o.smoothing_ratio.value_or(defaults.smoothing_ratio))
+          .collapse_ratio(o.collapse_ratio.value_or(defaults.collapse_ratio))
+          .split_ratio(o.split_ratio.value_or(defaults.split_ratio)));
+}
+
+template <typename Function>
+Remeshing_result run_with_sizes(Mesh& mesh, const Function& function, const Sizes& sizes, const Options& o,
+                                Progress& progress)
+{
+  const auto np = parameters::sigma(sizes.sigma)
+                      .remeshing_scheme(o.scheme == "paper" ? Remeshing_scheme::PAPER : Remeshing_scheme::DEFAULT)
+                      .visitor(Progress_visitor(progress));
+  return sizes.edge_length ? run(mesh, function, o, np.target_edge_length(*sizes.edge_length))
+                           : run(mesh, function, o, np.number_of_target_faces(*sizes.number_of_faces));
+}
+
+template <typename RadialFunction>
+Remeshed remesh_with(const Mesh& mesh, const Sizes& sizes, const Options& options, Progress& progress)
+{
+  typedef CGAL::Rbf_implicit_function<Kernel, RadialFunction> Function;
+  Remeshed remeshed;
+  progress.stage("smooth function");
+  Stopwatch stopwatch;
+  const Function function = build<Function>(mesh, options);
+  remeshed.function_seconds = stopwatch.seconds();
+  remeshed.function = Function_view::of(function);
+  remeshed.kernel = RadialFunction::name();
+  remeshed.rbf = function.diagnostics();
+  remeshed.mesh = mesh;
+  is_listening() = 1;
+  remeshed.result = run_with_sizes(remeshed.mesh, function, sizes, options, progress);
+  is_listening() = 0;
+  return remeshed;
+}
+
+} // namespace
+
+Remeshed remesh(const Mesh& mesh, const Sizes& sizes, const Options& options, Progress& progress)
+{
+  return options.kernel == "thin-plate" ? remesh_with<CGAL::Thin_plate_rbf>(mesh, sizes, options, progress)
+                                        : remesh_with<CGAL::Polyharmonic_rbf>(mesh, sizes, options, progress);
+}
+
+} // namespace hde_remesh

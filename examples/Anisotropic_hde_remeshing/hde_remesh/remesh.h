@@ -1,0 +1,50 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+
+#ifndef HDE_REMESH_REMESH_H
+#define HDE_REMESH_REMESH_H
+
+#include "Function_view.h"
+#include "Mesh.h"
+#include "options.h"
+#include "progress.h"
+
+#include <CGAL/Anisotropic_hde_remeshing/Rbf_diagnostics.h>
+#include <CGAL/Anisotropic_hde_remeshing/Remeshing_result.h>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+namespace hde_remesh {
+
+// the sizes to remesh to, in numbers of the library
+struct Sizes
+{
+  double sigma = 0;
+  std::optional<double> edge_length;      // one of these two
+  std::optional<std::size_t> number_of_faces;
+};
+
+struct Remeshed
+{
+  Mesh mesh;
+  Function_view function;
+  std::string kernel;
+  double function_seconds = 0;
+  CGAL::Anisotropic_hde_remeshing::Rbf_diagnostics rbf;
+  CGAL::Anisotropic_hde_remeshing::Remeshing_result result;
+};
+
+// Builds the function with the kernel asked for and remeshes a copy of the mesh.
+Remeshed remesh(const Mesh& mesh, const Sizes& sizes, const Options& options, Progress& progress);
+
+} // namespace hde_remesh
+
+#endif // HDE_REMESH_REMESH_H

@@ -1,0 +1,80 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+#ifndef HDE_REMESH_SIGNALS_H
+#define HDE_REMESH_SIGNALS_H
+
+#include <climits>
+#include <csignal>
+#include <cstddef>
+#include <cstring>
+#include <string>
+
+#include <unistd.h>
+
+// What happens at Ctrl-C and at SIGTERM: no temporary file stays, and the remeshing can be left in order.
+
+namespace hde_remesh {
+
+// Names that a signal handler can read: plain memory, as a handler must not allocate.
+struct Temporary_name
+{
+  char name[PATH_MAX] = "";
+  volatile std::sig_atomic_t exists = 0;
+};
+
+inline Temporary_name& temporary_name()
+{
+  static Temporary_name name;
+  return name;
+}
+
+inline volatile std::sig_atomic_t& is_listening() // whether somebody looks at `is_cancelled()`
+{
+  static volatile std::sig_atomic_t flag = 0;
+  return flag;
+}
+
+inline volatile std::sig_atomic_t& is_cancelled()
+{
+  static volatile std::sig_atomic_t flag = 0;
+  return flag;
+}
+
+extern "C" inline void handle_signal(const int signal_number)
+{
+  if (signal_number == SIGINT && is_listening() && !is_cancelled())
+  {
+    is_cancelled() = 1; // a second Ctrl-C ends the program at once
+    return;
+  }
+  if (temporary_name().exists)
+    unlink(temporary_name().name);
+  static const char message[] = "\nhde_remesh: stopped by a signal\n";
+  const char* text = isatty(STDERR_FILENO) ? message : message + 1; // on a terminal there is a bar to leave
+  const ssize_t ignored = write(STDERR_FILENO, text, std::strlen(text));
+  static_cast<void>(ignored);
+  std::signal(signal_number, SIG_DFL); // whoever waits for this program learns what ended it
+  std::raise(signal_number);
+}
+
+inline void install_signal_handlers()
+{
+  // construct them now: a handler must not be the first to ask
+  temporary_name();
+  is_listening() = 0;
+  is_cancelled() = 0;
+  std::signal(SIGINT, handle_signal);
+  std::signal(SIGTERM, handle_signal);
+  std::signal(SIGHUP, handle_signal);
+  std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow is a failed write, which is reported
+}
+
+} // namespace hde_remesh
+
+#endif // HDE_REMESH_SIGNALS_H

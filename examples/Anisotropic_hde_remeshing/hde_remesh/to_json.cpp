@@ -1,0 +1,142 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+
+#include "Report.h"
+
+#include <nlohmann/json.hpp>
+
+namespace hde_remesh {
+
+namespace {
+
+// keeps the order in which the figures are named here
+typedef nlohmann::ordered_json Json;
+
+Json to_json(const Hde::Topology_measures& m)
+{
+  return {{"vertices", m.number_of_vertices},
+          {"edges", m.number_of_edges},
+          {"faces", m.number_of_faces},
+          {"components", m.number_of_components},
+          {"boundary_loops", m.number_of_boundary_loops},
+          {"boundary_edges", m.number_of_boundary_edges},
+          {"euler_characteristic", m.euler_characteristic},
+          {"valence_6_share", m.valence_6_share}};
+}
+
+Json to_json(const Hde::Shape_measures& m)
+{
+  return {{"mean", m.aspect_ratio_mean},
+          {"p99", m.aspect_ratio_p99},
+          {"max", m.aspect_ratio_max}, // null where infinite: JSON has no infinity
+          {"degenerate_faces", m.number_of_degenerate_faces}};
+}
+
+Json to_json(const Hde::Embedding_measures& m, const Hde::Embedding_measures& to_target)
+{
+  return {{"sigma", m.sigma},
+          {"mean_edge_length", m.edge_length_mean},
+          {"share_within_0.7_1.41_of_mean", m.share_within_sqrt_2},
+          {"share_within_0.5_1.5_of_mean", m.share_within_half},
+          {"target_edge_length", to_target.target_edge_length},
+          {"share_within_0.7_1.41_of_target", to_target.share_within_sqrt_2},
+          {"share_within_0.5_1.5_of_target", to_target.share_within_half},
+          {"minimum_angle_mean", m.minimum_angle_mean},
+          {"minimum_angle_least", m.minimum_angle_least},
+          {"folded_faces", m.number_of_folded_faces}};
+}
+
+Json to_json(const Hde::Zero_set_measures& m)
+{
+  return {{"interior_vertex_max", m.interior_vertex_max},
+          {"boundary_vertex_max", m.boundary_vertex_max},
+          {"face_rms", m.face_rms},
+          {"face_max", m.face_max},
+          {"samples", m.number_of_samples}};
+}
+
+Json to_json(const Figures& figures)
+{
+  Json json = {{"topology", to_json(figures.topology)},
+               {"aspect_ratio", to_json(figures.shape)},
+               {"embedding", to_json(figures.embedding, figures.embedding_to_target)},
+               {"distance_to_zero_set", to_json(figures.zero_set)}};
+  if (figures.self_intersections)
+    json["self_intersections"] = *figures.self_intersections;
+  return json;
+}
+
+Json to_json(const Hde::Rbf_diagnostics& rbf)
+{
+  return {{"points", rbf.number_of_points},
+          {"duplicate_points", rbf.number_of_duplicate_points},
+          {"patches", rbf.number_of_patches},
+          {"mean_centres", rbf.mean_centres},
+          {"max_centres", rbf.max_centres},
+          {"worst_residual", rbf.worst_residual},
+          {"patches_with_ridge", rbf.patches_with_ridge},
+          {"patches_with_lu", rbf.patches_with_lu},
+          {"patches_on_fallback", rbf.patches_on_fallback},
+          {"shortened_offsets", rbf.number_of_shortened_offsets},
+          {"memory_bytes", rbf.memory_bytes},
+          {"constraint_seconds", rbf.constraint_seconds},
+          {"partition_seconds", rbf.partition_seconds},
+          {"solve_seconds", rbf.solve_seconds}};
+}
+
+Json to_json(const Hde::Remeshing_result& result)
+{
+  return {{"iterations", result.number_of_iterations},
+          {"splits", result.number_of_splits},
+          {"collapses", result.number_of_collapses},
+          {"flips", result.number_of_flips},
+          {"projections_newton", result.projections.newton},
+          {"projections_bisection", result.projections.bisection},
+          {"projections_closest_point", result.projections.closest_point}};
+}
+
+Json to_json(const Hde::Distance_measures& m)
+{
+  return {{"rms_output_to_input", m.rms_from_first},
+          {"max_output_to_input", m.max_from_first},
+          {"rms_input_to_output", m.rms_from_second},
+          {"max_input_to_output", m.max_from_second},
+          {"rms", m.rms()},
+          {"max", m.max()}};
+}
+
+} // namespace
+
+std::string to_json(const Report& report)
+{
+  Json json = {{"program", report.version},
+               {"input", report.input},
+               {"output", report.output},
+               {"unit", "lengths and distances are in the unit of the mesh, angles in degrees"},
+               {"diagonal", report.diagonal},
+               {"sigma", report.result.sigma},
+               {"kernel", report.kernel},
+               {"scheme", report.scheme},
+               {"isolated_vertices", report.number_of_isolated_vertices}};
+  if (report.number_of_target_faces)
+    json["target_faces"] = *report.number_of_target_faces;
+  json["target_edge_length"] = report.result.target_edge_length;
+  json["before"] = to_json(report.before);
+  json["after"] = to_json(report.after);
+  if (report.distance)
+    json["distance"] = to_json(*report.distance);
+  for (const auto& stage : report.stages)
+    json["seconds"][stage.first] = stage.second;
+  json["remeshing"] = to_json(report.result);
+  json["function"] = to_json(report.rbf);
+  // a file name need not be UTF-8, which JSON is
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+} // namespace hde_remesh

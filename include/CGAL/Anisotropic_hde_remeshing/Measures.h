@@ -1,0 +1,87 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+#ifndef CGAL_ANISOTROPIC_HDE_REMESHING_MEASURES_H
+#define CGAL_ANISOTROPIC_HDE_REMESHING_MEASURES_H
+
+#include <CGAL/license/Anisotropic_hde_remeshing.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace CGAL {
+namespace Anisotropic_hde_remeshing {
+
+/// the elements of a triangle mesh and how they hang together; isolated vertices are left out but counted
+struct Topology_measures
+{
+  std::size_t number_of_vertices = 0;          ///< with a face
+  std::size_t number_of_isolated_vertices = 0; ///< without one
+  std::size_t number_of_edges = 0;
+  std::size_t number_of_faces = 0;
+  std::size_t number_of_boundary_edges = 0;
+  std::size_t number_of_boundary_loops = 0;
+  std::size_t number_of_components = 0;
+  std::ptrdiff_t euler_characteristic = 0;     ///< vertices - edges + faces
+  std::size_t number_of_interior_vertices = 0; ///< not on a boundary
+  double valence_6_share = 0;                  ///< of the interior vertices, those with 6 edges; 0 if there are none
+};
+
+/// the shapes of the faces of a triangle mesh in space. The aspect ratio of a face is \f$ q_T = R_T / (2 r_T) \f$, the
+/// circumradius over twice the inradius: 1 for an equilateral triangle, larger for any other.
+struct Shape_measures
+{
+  double aspect_ratio_mean = 0; ///< of the faces that are not degenerate
+  double aspect_ratio_p99 = 0;  ///< the 99th percentile, infinite if too many faces are degenerate
+  double aspect_ratio_max = 0;  ///< \f$ q_\Gamma \f$, infinite if a face is degenerate
+  std::size_t number_of_degenerate_faces = 0; ///< those of three collinear points
+};
+
+/// a triangle mesh in the embedding \f$ \Psi(x) = (x, \sigma n(x)) \f$ in \f$ R^6 \f$, with `n` the unit gradient of an
+/// implicit function. An edge has there the squared length \f$ |a-b|^2 + \sigma^2 |n_a-n_b|^2 \f$.
+struct Embedding_measures
+{
+  double sigma = 0;                     ///< \f$ \sigma \f$, in the unit of the mesh
+  double edge_length_mean = 0;          ///< geometric mean of the 6D lengths of the edges
+  double target_edge_length = 0;        ///< the length `l` that the shares refer to
+  double share_within_half = 0;         ///< of the edges, those with a 6D length within [0.5, 1.5] `l`
+  double share_within_sqrt_2 = 0;       ///< of the edges, those with a 6D length within [0.7, 1.41] `l`
+  double minimum_angle_mean = 0;        ///< of the least 6D angles of the faces, in degrees
+  double minimum_angle_least = 0;       ///< the least 6D angle of all, in degrees
+  std::size_t number_of_folded_faces = 0; ///< faces turned against the function, see `measure_embedding()`
+};
+
+/// distances of a triangle mesh to the zero set of an implicit function `f`, to first order: \f$ |f| / |\nabla f| \f$,
+/// in the unit of the mesh
+struct Zero_set_measures
+{
+  double interior_vertex_max = 0;  ///< largest of the vertices that are not on a boundary
+  double boundary_vertex_max = 0;  ///< largest of the vertices on a boundary
+  double face_rms = 0;             ///< root mean square over the area of the faces
+  double face_max = 0;             ///< largest of the points sampled on the faces
+  std::size_t number_of_samples = 0; ///< points sampled on the faces
+};
+
+/// distances between two triangle meshes, in their unit
+struct Distance_measures
+{
+  double rms_from_first = 0;  ///< root mean square over the area of the first mesh of the distance to the second
+  double max_from_first = 0;  ///< largest distance of the sampled points and vertices of the first mesh to the second
+  double rms_from_second = 0; ///< as `rms_from_first`, from the second mesh to the first
+  double max_from_second = 0; ///< as `max_from_first`, from the second mesh to the first
+
+  /// the larger of the two root mean squares
+  double rms() const { return (std::max)(rms_from_first, rms_from_second); }
+  /// the larger of the two maxima: the Hausdorff distance, but for what lies between the sampled points
+  double max() const { return (std::max)(max_from_first, max_from_second); }
+};
+
+} // namespace Anisotropic_hde_remeshing
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_HDE_REMESHING_MEASURES_H

@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+#ifndef CGAL_ANISOTROPIC_HDE_REMESHING_REMESHING_RESULT_H
+#define CGAL_ANISOTROPIC_HDE_REMESHING_REMESHING_RESULT_H
+
+#include <CGAL/license/Anisotropic_hde_remeshing.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Anisotropic_hde_remeshing {
+
+/// how many points each way of projecting onto the zero set has served, in the order in which they are tried
+struct Projection_counters
+{
+  std::size_t newton = 0;        ///< Newton's method along the gradient
+  std::size_t bisection = 0;     ///< a bracket along the first gradient, halved
+  std::size_t closest_point = 0; ///< the closest point of the input with its interpolated normal
+};
+
+/// what `CGAL::anisotropic_hde_remeshing()` did, and with which parameters where it chose them itself
+struct Remeshing_result
+{
+  double sigma = 0;              ///< the weight of the normals, in the unit of the mesh
+  double target_edge_length = 0; ///< the 6D edge length aimed at in the end, in the unit of the mesh
+  unsigned int number_of_iterations = 0; ///< the iterations done
+  std::size_t number_of_splits = 0;
+  std::size_t number_of_collapses = 0;
+  std::size_t number_of_flips = 0;
+  std::size_t number_of_isolated_vertices = 0; ///< isolated vertices of the input, which the result does not have
+  Projection_counters projections;
+  bool was_stopped = false;      ///< whether the visitor ended the remeshing early
+  double implicit_function_seconds = 0; ///< wall time of `Stage::IMPLICIT_FUNCTION`
+  double projection_seconds = 0;        ///< wall time of `Stage::PROJECTION`
+  double remeshing_seconds = 0;         ///< wall time of `Stage::REMESHING`
+  double output_seconds = 0;            ///< wall time of `Stage::OUTPUT`
+};
+
+} // namespace Anisotropic_hde_remeshing
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_HDE_REMESHING_REMESHING_RESULT_H

@@ -1,0 +1,33 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+#ifndef CGAL_ANISOTROPIC_HDE_REMESHING_REMESHING_SCHEME_H
+#define CGAL_ANISOTROPIC_HDE_REMESHING_REMESHING_SCHEME_H
+
+#include <CGAL/license/Anisotropic_hde_remeshing.h>
+
+namespace CGAL {
+namespace Anisotropic_hde_remeshing {
+
+/// the order of the operations in `CGAL::anisotropic_hde_remeshing()`
+enum class Remeshing_scheme
+{
+  /// An iteration splits and contracts until the lengths are right, flips edges, in the first half of the iterations also
+  /// towards valence six, and smooths all vertices. Splits from 4/3, contractions below 4/5 of the target length. It measures
+  /// best and is the default.
+  DEFAULT,
+  /// Algorithm 2 of the paper: an iteration contracts edges below half of the target length, smooths the 30% of the vertices
+  /// with the smallest 6D angles and flips edges until nothing is contracted; then it splits edges above 3/2 of the target
+  /// length, flips, smooths and flips.
+  PAPER
+};
+
+} // namespace Anisotropic_hde_remeshing
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_HDE_REMESHING_REMESHING_SCHEME_H

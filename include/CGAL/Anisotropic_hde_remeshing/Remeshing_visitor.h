@@ -1,0 +1,45 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+#ifndef CGAL_ANISOTROPIC_HDE_REMESHING_REMESHING_VISITOR_H
+#define CGAL_ANISOTROPIC_HDE_REMESHING_REMESHING_VISITOR_H
+
+#include <CGAL/license/Anisotropic_hde_remeshing.h>
+
+namespace CGAL {
+namespace Anisotropic_hde_remeshing {
+
+/// the stages of `CGAL::anisotropic_hde_remeshing()`, in the order in which they run
+enum class Stage
+{
+  IMPLICIT_FUNCTION, ///< the radial basis functions are built; only in the form that takes no function
+  PROJECTION,        ///< the vertices of the input are projected onto the zero set
+  REMESHING,         ///< the local operations
+  OUTPUT             ///< the result is written into the mesh of the caller
+};
+
+/// the default visitor of `CGAL::anisotropic_hde_remeshing()`: hears everything, does nothing, never stops the remeshing.
+/// A visitor is any copyable class with these three members; derive from this one and override by name what is needed.
+/// All calls come from the calling thread. A visitor that throws leaves the mesh as it was given.
+struct Remeshing_visitor
+{
+  /// called once when `stage` begins
+  void stage_started(Stage /* stage */) {}
+
+  /// called with the share done, from 0 to 1; it never decreases within a call
+  void progress(double /* share */) {}
+
+  /// asked between any two steps; `false` ends the remeshing early. What has been reached by then, a valid mesh with its
+  /// vertices on the zero set, is written to the mesh of the caller.
+  bool go_further() { return true; }
+};
+
+} // namespace Anisotropic_hde_remeshing
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_HDE_REMESHING_REMESHING_VISITOR_H

@@ -1,0 +1,137 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+#ifndef CGAL_ANISOTROPIC_HDE_REMESHING_DISTANCE_MEASURES_H
+#define CGAL_ANISOTROPIC_HDE_REMESHING_DISTANCE_MEASURES_H
+
+#include <CGAL/license/Anisotropic_hde_remeshing.h>
+
+#include <CGAL/Anisotropic_hde_remeshing/Measures.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/measures/Area_sampler.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/measures/Measured_mesh.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/named_parameters.h>
+
+#include <CGAL/AABB_face_graph_triangle_primitive.h>
+#include <CGAL/AABB_tree.h>
+#if CGAL_VERSION_NR >= CGAL_VERSION_NUMBER(6, 0, 0)
+#  include <CGAL/AABB_traits_3.h>
+#else
+#  include <CGAL/AABB_traits.h>
+#endif
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace CGAL {
+namespace Anisotropic_hde_remeshing {
+
+namespace internal {
+
+// the distance of points to a triangle mesh; may be asked by several threads
+template <typename TriangleMesh, typename NamedParameters>
+class Distance_to_mesh
+{
+  typedef typename GetGeomTraits<TriangleMesh, NamedParameters>::type Geom_traits;
+  typedef typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type Vertex_point_map;
+  typedef AABB_face_graph_triangle_primitive<TriangleMesh, Vertex_point_map> Primitive;
+#if CGAL_VERSION_NR >= CGAL_VERSION_NUMBER(6, 0, 0)
+  typedef AABB_traits_3<Geom_traits, Primitive> Traits;
+#else
+  typedef AABB_traits<Geom_traits, Primitive> Traits;
+#endif
+  typedef typename Geom_traits::Point_3 Point_3;
+
+public:
+  Distance_to_mesh(const TriangleMesh& tmesh, const NamedParameters& np)
+  {
+    const Vertex_point_map point_map =
+        parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                     get_const_property_map(vertex_point, tmesh));
+    m_tree.insert(faces(tmesh).first, faces(tmesh).second, tmesh, point_map);
+    m_tree.build();
+    m_tree.accelerate_distance_queries(); // now, not at the first query of one of the threads
+  }
+
+  double operator()(const Vector& p) const
+  {
+    return std::sqrt(to_double(m_tree.squared_distance(Point_3(p.x(), p.y(), p.z()))));
+  }
+
+private:
+  AABB_tree<Traits> m_tree;
+};
+
+// of the points sampled on the mesh, and of its vertices for the maximum: there a distance often has its peaks
+template <typename ConcurrencyTag, typename Distance>
+Rms_and_max rms_and_max_from(const Measured_mesh& mesh, const std::size_t number_of_samples, const Distance& distance)
+{
+  const Area_sampler sampler(mesh, number_of_samples);
+  Rms_and_max result = rms_and_max<ConcurrencyTag>(sampler.size(),
+                                                   [&](const std::size_t i) { return distance(sampler(i)); });
+  const Rms_and_max of_vertices = rms_and_max<ConcurrencyTag>(
+      mesh.points.size(), [&](const std::size_t v) { return distance(mesh.points[v]); });
+  result.max = (std::max)(result.max, of_vertices.max);
+  return result;
+}
+
+} // namespace internal
+
+/*!
+\brief measures the distances between two triangle meshes, both ways, at sampled points.
+
+The points sampled are spread evenly over the area, without random numbers: a second call gives the same result, as does
+another number of threads.
+
+\tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`: how the distances are computed
+\tparam TriangleMesh1 a model of `VertexListGraph`, `EdgeListGraph`, `HalfedgeListGraph` and `FaceListGraph`
+\tparam TriangleMesh2 as `TriangleMesh1`
+\tparam NamedParameters1 a sequence of named parameters
+\tparam NamedParameters2 a sequence of named parameters
+
+\param tmesh1 the first triangle mesh
+\param tmesh2 the second triangle mesh
+\param np1 optional named parameters for `tmesh1`: `vertex_point_map`, `geom_traits` and `number_of_points_on_faces` (the
+number of points sampled on the faces of each of the two meshes, by default 200,000)
+\param np2 optional named parameters for `tmesh2`: `vertex_point_map` and `geom_traits`
+
+\pre both are triangle meshes and have a face
+*/
+template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh1, typename TriangleMesh2,
+          typename NamedParameters1 = parameters::Default_named_parameters,
+          typename NamedParameters2 = parameters::Default_named_parameters>
+Distance_measures measure_distance(const TriangleMesh1& tmesh1, const TriangleMesh2& tmesh2,
+                                   const NamedParameters1& np1 = parameters::default_values(),
+                                   const NamedParameters2& np2 = parameters::default_values())
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+
+  CGAL_precondition_msg(faces(tmesh1).first != faces(tmesh1).second && faces(tmesh2).first != faces(tmesh2).second,
+                        "there is no distance to a mesh without faces");
+  const std::size_t number_of_samples = static_cast<std::size_t>(
+      choose_parameter(get_parameter(np1, internal_np::number_of_points_on_faces), std::size_t(200000)));
+  const internal::Distance_to_mesh<TriangleMesh1, NamedParameters1> to_first(tmesh1, np1);
+  const internal::Distance_to_mesh<TriangleMesh2, NamedParameters2> to_second(tmesh2, np2);
+  const internal::Rms_and_max from_first = internal::rms_and_max_from<ConcurrencyTag>(
+      internal::read_measured_mesh(tmesh1, np1), number_of_samples, to_second);
+  const internal::Rms_and_max from_second = internal::rms_and_max_from<ConcurrencyTag>(
+      internal::read_measured_mesh(tmesh2, np2), number_of_samples, to_first);
+
+  Distance_measures measures;
+  measures.rms_from_first = from_first.rms;
+  measures.max_from_first = from_first.max;
+  measures.rms_from_second = from_second.rms;
+  measures.max_from_second = from_second.max;
+  return measures;
+}
+
+} // namespace Anisotropic_hde_remeshing
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_HDE_REMESHING_DISTANCE_MEASURES_H

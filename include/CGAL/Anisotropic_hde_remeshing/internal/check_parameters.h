@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+#ifndef CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_CHECK_PARAMETERS_H
+#define CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_CHECK_PARAMETERS_H
+
+#include <CGAL/license/Anisotropic_hde_remeshing.h>
+
+#include <cmath>
+#include <cstddef>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+namespace CGAL {
+namespace Anisotropic_hde_remeshing {
+namespace internal {
+
+// Errors of the caller, which are reported in Release too: "sigma is -1: it must be finite and not negative"
+template <typename Value>
+[[noreturn]] void throw_invalid_argument(const std::string& name, const Value& value, const std::string& requirement)
+{
+  std::ostringstream message;
+  message << name << " is " << value << ": it must be " << requirement;
+  throw std::invalid_argument(message.str());
+}
+
+inline double checked_positive(const std::string& name, const double value)
+{
+  if (!(value > 0) || !std::isfinite(value))
+    throw_invalid_argument(name, value, "finite and positive");
+  return value;
+}
+
+inline double checked_not_negative(const std::string& name, const double value)
+{
+  if (!(value >= 0) || !std::isfinite(value))
+    throw_invalid_argument(name, value, "finite and not negative");
+  return value;
+}
+
+inline double checked_between(const std::string& name, const double value, const double low, const double high)
+{
+  if (!(value >= low && value <= high))
+    throw_invalid_argument(name, value, "from " + std::to_string(low) + " to " + std::to_string(high));
+  return value;
+}
+
+// counts may come as signed integers or as doubles: a negative one must not wrap around
+template <typename Count>
+std::size_t checked_count(const std::string& name, const Count value)
+{
+  if (!(value >= Count(1)) || !(double(value) <= 1e15))
+    throw_invalid_argument(name, value, "at least 1");
+  return std::size_t(value);
+}
+
+} // namespace internal
+} // namespace Anisotropic_hde_remeshing
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_CHECK_PARAMETERS_H

@@ -1,0 +1,113 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+#ifndef CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_IMPLICIT_SURFACE_SAMPLE_H
+#define CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_IMPLICIT_SURFACE_SAMPLE_H
+
+#include <CGAL/license/Anisotropic_hde_remeshing.h>
+
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Value_and_gradient.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <sstream>
+#include <stdexcept>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Anisotropic_hde_remeshing {
+namespace internal {
+
+// what the implicit function is built from: points of the surface, their unit normals, the distance to their neighbours
+struct Surface_sample
+{
+  std::vector<Vector> points;
+  std::vector<Vector> normals;
+  std::vector<double> spacings;
+  std::size_t number_of_isolated_vertices = 0;
+  std::size_t number_of_duplicate_points = 0;
+
+  std::size_t size() const { return points.size(); }
+};
+
+// the point or vector of the caller in plain numbers
+template <typename Point_or_vector>
+Vector to_vector(const Point_or_vector& p)
+{
+  return Vector(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+}
+
+// the same, refused if it is not finite
+template <typename Point_or_vector>
+Vector finite_vector(const Point_or_vector& p, const char* what, const std::size_t index)
+{
+  const Vector result = to_vector(p);
+  // far below the largest double, so that no square of a difference overflows
+  if (!(result.cwiseAbs().maxCoeff() < 1e150))
+  {
+    std::ostringstream message;
+    message << "the " << what << " of vertex " << index << " is (" << result.transpose()
+            << "): its coordinates must be finite and below 1e150";
+    throw std::invalid_argument(message.str());
+  }
+  return result;
+}
+
+template <typename Vector_3>
+Vector unit_normal(const Vector_3& normal, const std::size_t index)
+{
+  const Vector result = finite_vector(normal, "normal", index);
+  return result.norm() > 0 ? Vector(result / result.norm()) : Vector(Vector::Zero());
+}
+
+// Equal points would make the system of their patch singular: the first of them stays, with the mean of their normals,
+// which is zero, hence no off-surface point, where they cancel.
+inline void merge_duplicate_points(Surface_sample& sample)
+{
+  std::vector<std::size_t> order(sample.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  const auto key = [&](const std::size_t i)
+  { return std::make_tuple(sample.points[i][0], sample.points[i][1], sample.points[i][2]); };
+  std::sort(order.begin(), order.end(), [&](const std::size_t i, const std::size_t j)
+            { return std::make_pair(key(i), i) < std::make_pair(key(j), j); });
+  std::vector<char> is_kept(sample.size(), 1);
+  for (std::size_t k = 0, first = 0; k < order.size(); ++k)
+  {
+    if (key(order[k]) != key(order[first]))
+      first = k;
+    if (k == first)
+      continue;
+    is_kept[order[k]] = 0;
+    sample.normals[order[first]] += sample.normals[order[k]];
+    sample.spacings[order[first]] = (std::min)(sample.spacings[order[first]], sample.spacings[order[k]]);
+  }
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < is_kept.size(); ++i)
+    if (is_kept[i])
+    {
+      const double length = sample.normals[i].norm();
+      sample.points[next] = sample.points[i];
+      sample.normals[next] = length > 1e-6 ? Vector(sample.normals[i] / length) : Vector(Vector::Zero());
+      sample.spacings[next++] = sample.spacings[i];
+    }
+  sample.number_of_duplicate_points = sample.size() - next;
+  sample.points.resize(next);
+  sample.normals.resize(next);
+  sample.spacings.resize(next);
+}
+
+} // namespace internal
+} // namespace Anisotropic_hde_remeshing
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_IMPLICIT_SURFACE_SAMPLE_H

@@ -1,0 +1,70 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+#ifndef CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_MEASURES_EVALUATION_H
+#define CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_MEASURES_EVALUATION_H
+
+#include <CGAL/license/Anisotropic_hde_remeshing.h>
+
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Value_and_gradient.h>
+
+#include <CGAL/number_utils.h>
+
+#include <limits>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Anisotropic_hde_remeshing {
+namespace internal {
+
+template <typename Function, typename = void>
+struct Has_joint_evaluation : std::false_type {};
+
+template <typename Function>
+struct Has_joint_evaluation<Function, std::void_t<decltype(std::declval<const Function&>().value_and_gradient(
+                                          std::declval<const typename Function::Point_3&>()))>> : std::true_type {};
+
+// value and gradient of any model of `ImplicitFunctionWithGradient`, in one call where it has one for both
+template <typename Function>
+Value_and_gradient measured_value_and_gradient(const Function& function, const Vector& p)
+{
+  const typename Function::Point_3 point(p.x(), p.y(), p.z());
+  const auto convert = [](const auto& value, const auto& g)
+  { return Value_and_gradient{to_double(value), Vector(to_double(g.x()), to_double(g.y()), to_double(g.z()))}; };
+  if constexpr (Has_joint_evaluation<Function>::value)
+  {
+    const auto both = function.value_and_gradient(point);
+    return convert(both.first, both.second);
+  }
+  else
+    return convert(function(point), function.gradient(point));
+}
+
+template <typename Function>
+Vector measured_gradient(const Function& function, const Vector& p)
+{
+  const auto g = function.gradient(typename Function::Point_3(p.x(), p.y(), p.z()));
+  return Vector(to_double(g.x()), to_double(g.y()), to_double(g.z()));
+}
+
+// The distance to the zero set to first order. Where the gradient vanishes it says nothing: 0 on the zero set,
+// infinite off it.
+inline double first_order_distance(const Value_and_gradient& at_point)
+{
+  const double length = at_point.gradient.norm(), value = std::abs(at_point.value);
+  if (length > 0)
+    return value / length;
+  return value > 0 ? std::numeric_limits<double>::infinity() : value;
+}
+
+} // namespace internal
+} // namespace Anisotropic_hde_remeshing
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_MEASURES_EVALUATION_H

@@ -1,0 +1,162 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+#ifndef CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_SURFACE_PROJECTION_H
+#define CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_SURFACE_PROJECTION_H
+
+#include <CGAL/license/Anisotropic_hde_remeshing.h>
+
+#include <CGAL/Anisotropic_hde_remeshing/Remeshing_result.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Implicit_surface.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Input_surface.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Working_mesh.h>
+
+#include <atomic>
+#include <cmath>
+#include <cstddef>
+
+namespace CGAL {
+namespace Anisotropic_hde_remeshing {
+namespace internal {
+
+// Moves points onto the zero set and gives them its normal: Newton's method along the gradient, then a bracket along the
+// first gradient, then the closest point of the input. Thread-safe; a point's result depends on nothing but the point.
+template <typename Function>
+class Surface_projection
+{
+  static constexpr int newton_steps = 8;
+  static constexpr int bisection_steps = 60;
+
+public:
+  // Lengths: `exact_distance` to the zero set is reached by exact projections.
+  Surface_projection(const Function& function, const Input_surface& input, const double exact_distance)
+    : m_surface(function), m_input(input), m_exact_distance(exact_distance)
+  {
+  }
+
+  // the mesh of the caller may be oriented against the gradient: then the normals are turned over
+  void set_orientation(const double sign) { m_orientation = sign; }
+  double orientation() const { return m_orientation; }
+
+  // onto the zero set, as near as doubles allow
+  void project(Vertex_state& state, const double trust_radius) const
+  {
+    project(state, trust_radius, m_exact_distance);
+  }
+
+  // One evaluation where the start is nearer than `good_distance`: Newton's step from there leaves a distance quadratic in
+  // it. For the iterations, whose vertices move again; the remesher projects all of them exactly in the end.
+  void project_roughly(Vertex_state& state, const double trust_radius, const double good_distance) const
+  {
+    project(state, trust_radius, good_distance);
+  }
+
+  // the normal at a point that stays where it is: on the polyline of a boundary
+  void update_normal(Vertex_state& state) const
+  {
+    Vector normal;
+    if (unit(m_surface(state.point).gradient, normal))
+      state.normal = m_orientation * normal;
+  }
+
+  Projection_counters counters() const
+  {
+    return Projection_counters{m_number_by_newton, m_number_by_bisection, m_number_by_closest_point};
+  }
+
+private:
+  static bool unit(const Vector& gradient, Vector& normal)
+  {
+    const double length = gradient.norm();
+    if (!(length > 0) || !std::isfinite(length))
+      return false;
+    normal = gradient / length;
+    return true;
+  }
+
+  void project(Vertex_state& state, const double trust_radius, const double distance) const
+  {
+    if (newton(state, trust_radius, distance))
+      m_number_by_newton.fetch_add(1, std::memory_order_relaxed);
+    else if (bisection(state, trust_radius))
+      m_number_by_bisection.fetch_add(1, std::memory_order_relaxed);
+    else
+    {
+      m_input.project(state);
+      m_number_by_closest_point.fetch_add(1, std::memory_order_relaxed);
+    }
+  }
+
+  bool newton(Vertex_state& state, const double trust_radius, const double distance) const
+  {
+    Vector p = state.point;
+    for (int step = 0; step < newton_steps; ++step)
+    {
+      const Value_and_gradient at_p = m_surface(p);
+      Vector normal;
+      if (!std::isfinite(at_p.value) || !unit(at_p.gradient, normal))
+        return false;
+      const double signed_distance = at_p.value / at_p.gradient.norm();
+      p -= signed_distance * normal;
+      if (!((p - state.point).squaredNorm() <= trust_radius * trust_radius))
+        return false;
+      if (std::abs(signed_distance) <= distance)
+      {
+        state.point = p;
+        state.normal = m_orientation * normal;
+        return true;
+      }
+    }
+    return false;
+  }
+
+  // a change of sign within the trust radius on the line along the gradient of the start, then halved; what it finds must
+  // face the way of the start, or it is another sheet
+  bool bisection(Vertex_state& state, const double trust_radius) const
+  {
+    const Value_and_gradient start = m_surface(state.point);
+    Vector direction;
+    if (!std::isfinite(start.value) || !unit(start.gradient, direction))
+      return false;
+    direction *= start.value > 0 ? -1. : 1.;
+    double inner = 0, outer = 0;
+    bool is_bracketed = false;
+    for (int k = 1; k <= 8 && !is_bracketed; ++k)
+    {
+      inner = outer;
+      outer = trust_radius * k / 8.;
+      is_bracketed = m_surface(state.point + outer * direction).value * start.value <= 0;
+    }
+    if (!is_bracketed)
+      return false;
+    for (int k = 0; k < bisection_steps && outer - inner > 0.5 * m_exact_distance; ++k)
+    {
+      const double middle = 0.5 * (inner + outer);
+      (m_surface(state.point + middle * direction).value * start.value > 0 ? inner : outer) = middle;
+    }
+    const Vector p = state.point + outer * direction;
+    Vector normal;
+    if (!unit(m_surface(p).gradient, normal) || !(normal.dot(start.gradient) > 0))
+      return false;
+    state.point = p;
+    state.normal = m_orientation * normal;
+    return true;
+  }
+
+  Implicit_surface<Function> m_surface;
+  const Input_surface& m_input;
+  double m_exact_distance;
+  double m_orientation = 1;
+  mutable std::atomic<std::size_t> m_number_by_newton{0}, m_number_by_bisection{0}, m_number_by_closest_point{0};
+};
+
+} // namespace internal
+} // namespace Anisotropic_hde_remeshing
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_SURFACE_PROJECTION_H

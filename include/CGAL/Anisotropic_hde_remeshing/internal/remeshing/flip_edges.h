@@ -1,0 +1,184 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+#ifndef CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_FLIP_EDGES_H
+#define CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_FLIP_EDGES_H
+
+#include <CGAL/license/Anisotropic_hde_remeshing.h>
+
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Face_guard.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Working_mesh.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Anisotropic_hde_remeshing {
+namespace internal {
+
+enum class Flip_criterion
+{
+  VALENCE, // towards six neighbours inside, four on the boundary
+  ANGLE    // towards a larger smallest angle in the embedding
+};
+
+// Flips edges where the criterion gains, in passes over the edges whose surroundings have changed.
+template <typename Embedding>
+class Edge_flipper
+{
+  static constexpr int maximum_number_of_passes = 10;
+  // the gain in the cosine below which a flip is not worth it; it also ends the passes in the case of ties
+  static constexpr double smallest_gain = 1e-6;
+  // valence flips leave no angle below this one, of 15 degrees, unless there was a smaller one
+  static constexpr double largest_cosine_of_valence_flip = 0.9659258262890683;
+
+public:
+  Edge_flipper(Working_mesh& mesh, const Embedding& embedding) : m_mesh(mesh), m_embedding(embedding) {}
+
+  // returns the number of flips
+  std::size_t operator()(const Flip_criterion criterion) const
+  {
+    std::vector<Edge_index> queue(m_mesh.edges().begin(), m_mesh.edges().end());
+    std::vector<char> is_queued(edge_capacity(m_mesh), 0);
+    std::vector<int> valences;
+    if (criterion == Flip_criterion::VALENCE)
+      valences = compute_valences();
+    std::size_t number_of_flips = 0;
+    for (int pass = 0; pass < maximum_number_of_passes && !queue.empty(); ++pass)
+    {
+      std::vector<Edge_index> next_queue;
+      for (const Edge_index e : queue)
+      {
+        is_queued[e] = 0;
+        const bool is_flipped =
+            criterion == Flip_criterion::VALENCE ? flip_for_valence(e, valences) : flip_for_angle(e);
+        if (!is_flipped)
+          continue;
+        ++number_of_flips;
+        push_surroundings(e, is_queued, next_queue);
+      }
+      std::sort(next_queue.begin(), next_queue.end());
+      queue.swap(next_queue);
+    }
+    return number_of_flips;
+  }
+
+private:
+  // the two faces of an edge from a to b with the vertices c and d on their other sides
+  struct Quad
+  {
+    Vertex_index a, b, c, d;
+  };
+
+  Quad quad(const Edge_index e) const
+  {
+    const Halfedge_index h = m_mesh.halfedge(e), g = m_mesh.opposite(h);
+    return {m_mesh.source(h), m_mesh.target(h), m_mesh.target(m_mesh.next(h)), m_mesh.target(m_mesh.next(g))};
+  }
+
+  std::vector<int> compute_valences() const
+  {
+    // an inner vertex wants six edges, one of the boundary four: two are added there
+    std::vector<int> valences(vertex_capacity(m_mesh), 0);
+    for (const Vertex_index v : m_mesh.vertices())
+      valences[v] = int(m_mesh.degree(v)) + (m_mesh.point(v).is_on_boundary() ? 2 : 0);
+    return valences;
+  }
+
+  bool flip_for_valence(const Edge_index e, std::vector<int>& valences) const
+  {
+    if (m_mesh.is_border(e))
+      return false;
+    const Quad q = quad(e);
+    const auto square = [](const int x) { return x * x; };
+    const int before = square(valences[q.a] - 6) + square(valences[q.b] - 6) + square(valences[q.c] - 6) +
+                       square(valences[q.d] - 6);
+    const int after = square(valences[q.a] - 7) + square(valences[q.b] - 7) + square(valences[q.c] - 5) +
+                      square(valences[q.d] - 5);
+    if (after >= before)
+      return false;
+    double cosine_before, cosine_after;
+    largest_cosines(q, cosine_before, cosine_after);
+    if (cosine_after > (std::max)(cosine_before, largest_cosine_of_valence_flip) || !is_allowed(q))
+      return false;
+    CGAL::Euler::flip_edge(m_mesh.halfedge(e), m_mesh);
+    --valences[q.a];
+    --valences[q.b];
+    ++valences[q.c];
+    ++valences[q.d];
+    return true;
+  }
+
+  bool flip_for_angle(const Edge_index e) const
+  {
+    if (m_mesh.is_border(e))
+      return false;
+    const Quad q = quad(e);
+    double cosine_before, cosine_after;
+    largest_cosines(q, cosine_before, cosine_after);
+    if (!(cosine_after < cosine_before - smallest_gain) || !is_allowed(q))
+      return false;
+    CGAL::Euler::flip_edge(m_mesh.halfedge(e), m_mesh);
+    return true;
+  }
+
+  // the cosines of the smallest angles in the embedding of the two faces, now and after a flip
+  void largest_cosines(const Quad& q, double& before, double& after) const
+  {
+    const Vertex_state &a = m_mesh.point(q.a), &b = m_mesh.point(q.b), &c = m_mesh.point(q.c), &d = m_mesh.point(q.d);
+    const double ab = m_embedding.squared_length(a, b), bc = m_embedding.squared_length(b, c),
+                 ca = m_embedding.squared_length(c, a), ad = m_embedding.squared_length(a, d),
+                 db = m_embedding.squared_length(d, b), cd = m_embedding.squared_length(c, d);
+    before = (std::max)(largest_cosine(ab, bc, ca), largest_cosine(ab, ad, db));
+    after = (std::max)(largest_cosine(cd, ca, ad), largest_cosine(cd, db, bc));
+  }
+
+  // of a triangle with these squared lengths, the cosine of its smallest angle, which is opposite to its shortest edge
+  static double largest_cosine(const double x, const double y, const double z)
+  {
+    const double shortest = (std::min)({x, y, z});
+    const double product = shortest == x ? y * z : shortest == y ? x * z : x * y;
+    return product > 0 ? 0.5 * (x + y + z - 2 * shortest) / std::sqrt(product) : 1.;
+  }
+
+  // guards 1, 3 and 5
+  bool is_allowed(const Quad& q) const
+  {
+    const Vertex_state &a = m_mesh.point(q.a), &b = m_mesh.point(q.b), &c = m_mesh.point(q.c), &d = m_mesh.point(q.d);
+    const double after = (std::min)(Face_guard::quality(c, a, d), Face_guard::quality(d, b, c));
+    if (after < Face_guard::smallest_cosine &&
+        !Face_guard::accepts(after, (std::min)(Face_guard::quality(a, b, c), Face_guard::quality(b, a, d))))
+      return false;
+    return q.c != q.d && !m_mesh.halfedge(q.c, q.d).is_valid() && m_mesh.degree(q.a) > 3 && m_mesh.degree(q.b) > 3;
+  }
+
+  void push_surroundings(const Edge_index e, std::vector<char>& is_queued, std::vector<Edge_index>& queue) const
+  {
+    const Halfedge_index h = m_mesh.halfedge(e), g = m_mesh.opposite(h);
+    for (const Halfedge_index side : {h, m_mesh.next(h), m_mesh.prev(h), m_mesh.next(g), m_mesh.prev(g)})
+    {
+      const Edge_index edge = m_mesh.edge(side);
+      if (!is_queued[edge])
+      {
+        is_queued[edge] = 1;
+        queue.push_back(edge);
+      }
+    }
+  }
+
+  Working_mesh& m_mesh;
+  const Embedding& m_embedding;
+};
+
+} // namespace internal
+} // namespace Anisotropic_hde_remeshing
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_FLIP_EDGES_H

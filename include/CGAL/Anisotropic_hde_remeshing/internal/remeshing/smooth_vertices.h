@@ -1,0 +1,269 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+#ifndef CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_SMOOTH_VERTICES_H
+#define CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_SMOOTH_VERTICES_H
+
+#include <CGAL/license/Anisotropic_hde_remeshing.h>
+
+#include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Boundary_curves.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Face_guard.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Surface_projection.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Working_mesh.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Anisotropic_hde_remeshing {
+namespace internal {
+
+// Moves every vertex towards the centroid of its surroundings in the embedding, weighted by the areas of its faces there,
+// all at once, so that the result does not depend on the order; then takes back what has folded a face.
+template <typename ConcurrencyTag, typename Embedding, typename Projection>
+class Vertex_smoother
+{
+  static constexpr double relaxation = 0.7;
+  static constexpr double largest_step = 0.5; // in 3D, of the distance to the nearest neighbour
+  static constexpr double negligible_step = 1e-3; // likewise: a vertex that would move less stays
+
+public:
+  Vertex_smoother(Working_mesh& mesh, const Embedding& embedding, const Projection& projection,
+                  const Boundary_curves& boundary)
+    : m_mesh(mesh), m_embedding(embedding), m_projection(projection), m_boundary(boundary)
+  {
+  }
+
+  // one simultaneous step of the share `ratio` of the vertices with the smallest angles in the embedding
+  void operator()(const double ratio = 1) const
+  {
+    const std::size_t n = vertex_capacity(m_mesh);
+    std::vector<char> is_moved(n, 0);
+    std::vector<Vertex_state> proposals(n);
+    const std::vector<char> is_chosen = choose(ratio);
+    parallel_for<ConcurrencyTag>(n,
+                                 [&](const std::size_t i)
+                                 {
+                                   const Vertex_index v(static_cast<Vertex_index::size_type>(i));
+                                   if (!is_chosen.empty() && !is_chosen[i])
+                                     return;
+                                   if (!m_mesh.is_removed(v) && !m_mesh.point(v).is_fixed)
+                                     is_moved[i] = propose(v, proposals[i]);
+                                 },
+                                 64);
+    revert_folds(proposals, is_moved);
+    for (std::size_t i = 0; i < n; ++i)
+      if (is_moved[i])
+        m_mesh.point(Vertex_index(static_cast<Vertex_index::size_type>(i))) = proposals[i];
+  }
+
+private:
+  // two axes orthogonal to a normal
+  typedef Eigen::Matrix<double, 3, 2> Frame;
+
+  static Frame tangent_frame(const Vector& normal)
+  {
+    Frame frame;
+    frame.col(0) = normal.unitOrthogonal();
+    frame.col(1) = normal.cross(frame.col(0));
+    return frame;
+  }
+
+  // empty for all
+  std::vector<char> choose(const double ratio) const
+  {
+    std::vector<char> is_chosen;
+    if (ratio >= 1)
+      return is_chosen;
+    std::vector<std::pair<double, Vertex_index>> vertices;
+    for (const Vertex_index v : m_mesh.vertices())
+      vertices.emplace_back(-largest_cosine_around(v), v);
+    const std::size_t count = std::size_t(std::ceil(ratio * double(vertices.size())));
+    std::nth_element(vertices.begin(), vertices.begin() + std::ptrdiff_t((std::min)(count, vertices.size() - 1)),
+                     vertices.end());
+    is_chosen.assign(vertex_capacity(m_mesh), 0);
+    for (std::size_t i = 0; i < (std::min)(count, vertices.size()); ++i)
+      is_chosen[vertices[i].second] = 1;
+    return is_chosen;
+  }
+
+  double largest_cosine_around(const Vertex_index v) const
+  {
+    double largest = -1;
+    for (const Halfedge_index h : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
+    {
+      if (m_mesh.is_border(h))
+        continue;
+      const Triangle t(h, m_mesh);
+      const double x = m_embedding.squared_length(m_mesh.point(t.a), m_mesh.point(t.b)),
+                   y = m_embedding.squared_length(m_mesh.point(t.b), m_mesh.point(t.c)),
+                   z = m_embedding.squared_length(m_mesh.point(t.c), m_mesh.point(t.a));
+      const double shortest = (std::min)({x, y, z}), sum = x + y + z;
+      const double product = shortest == x ? y * z : shortest == y ? x * z : x * y;
+      largest = (std::max)(largest, product > 0 ? 0.5 * (sum - 2 * shortest) / std::sqrt(product) : 1.);
+    }
+    return largest;
+  }
+
+  bool propose(const Vertex_index v, Vertex_state& proposal) const
+  {
+    proposal = m_mesh.point(v);
+    return proposal.is_on_boundary() ? slide(v, proposal) : move(v, proposal);
+  }
+
+  // along the boundary, to where both edges of it have the same length in the embedding
+  bool slide(const Vertex_index v, Vertex_state& state) const
+  {
+    Halfedge_index in = m_mesh.halfedge(v);
+    while (!m_mesh.is_border(in))
+      in = m_mesh.prev(m_mesh.opposite(in));
+    const Vertex_state &before = m_mesh.point(m_mesh.source(in)), &behind = m_mesh.point(m_mesh.target(m_mesh.next(in)));
+    if (!Boundary_curves::are_on_one_curve(state, before) || !Boundary_curves::are_on_one_curve(state, behind))
+      return false;
+    const double length_before = std::sqrt(m_embedding.squared_length(before, state)),
+                 length_behind = std::sqrt(m_embedding.squared_length(state, behind));
+    const double way_before = m_boundary.distance(before, state), way_behind = m_boundary.distance(state, behind);
+    const double share = (length_behind - length_before) / (length_behind + length_before);
+    if (!(std::abs(share) > negligible_step))
+      return false;
+    m_boundary.place(state, state, 0.5 * relaxation * share * (share > 0 ? way_behind : way_before));
+    m_projection.update_normal(state);
+    return true;
+  }
+
+  bool move(const Vertex_index v, Vertex_state& state) const
+  {
+    const Frame frame = tangent_frame(state.normal);
+    Surroundings around;
+    if (!gather(v, state, frame, around))
+      return false;
+    const Eigen::Matrix2d shape_operator = around.shape_operator();
+    Eigen::Vector2d step = relaxation * m_embedding.tangential_step(frame.transpose() * around.to_point,
+                                                                    frame.transpose() * around.to_normal, shape_operator);
+    const double length = step.norm(), radius = std::sqrt(around.squared_radius);
+    if (!(length > negligible_step * radius)) // not a number, too
+      return false;
+    if (length > largest_step * radius)
+      step *= largest_step * radius / length;
+    // the surface is an osculating paraboloid up to third order
+    state.point += frame * step - 0.5 * step.dot(shape_operator * step) * state.normal;
+    m_projection.project_roughly(state, radius, 0.02 * radius);
+    return true;
+  }
+
+  // what a vertex sees of its neighbours
+  struct Surroundings
+  {
+    Vector to_point = Vector::Zero(), to_normal = Vector::Zero(); // to the centroid in the embedding
+    double squared_radius = 0;                                    // of the nearest neighbour
+    Eigen::Matrix3d normal_equations = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d right = Eigen::Vector3d::Zero();
+
+    // the differences of the normals are S times those of the points: three unknowns, least squares
+    void add_difference(const Eigen::Vector2d& edge, const Eigen::Vector2d& change)
+    {
+      Eigen::Matrix<double, 2, 3> row;
+      row << edge[0], edge[1], 0, 0, edge[0], edge[1];
+      normal_equations += row.transpose() * row;
+      right += row.transpose() * change;
+    }
+
+    Eigen::Matrix2d shape_operator() const
+    {
+      const Eigen::Matrix3d regularised =
+          normal_equations + 1e-9 * normal_equations.trace() * Eigen::Matrix3d::Identity();
+      const Eigen::Vector3d s = regularised.ldlt().solve(right);
+      Eigen::Matrix2d result;
+      result << s[0], s[1], s[1], s[2];
+      return result;
+    }
+  };
+
+  bool gather(const Vertex_index v, const Vertex_state& state, const Frame& frame, Surroundings& around) const
+  {
+    double weights = 0;
+    around.squared_radius = (std::numeric_limits<double>::max)();
+    for (const Halfedge_index h : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
+    {
+      const Vertex_state &a = m_mesh.point(m_mesh.source(h)), &b = m_mesh.point(m_mesh.target(m_mesh.next(h)));
+      around.add_difference(frame.transpose() * (a.point - state.point), frame.transpose() * (a.normal - state.normal));
+      around.squared_radius = (std::min)(around.squared_radius, (a.point - state.point).squaredNorm());
+      const double weight = area(m_embedding.squared_length(state, a), m_embedding.squared_length(a, b),
+                                 m_embedding.squared_length(b, state));
+      weights += weight;
+      around.to_point += weight * ((a.point + b.point + state.point) / 3 - state.point);
+      around.to_normal += weight * ((a.normal + b.normal + state.normal) / 3 - state.normal);
+    }
+    if (!(weights > 0))
+      return false;
+    around.to_point /= weights;
+    around.to_normal /= weights;
+    return true;
+  }
+
+  // of a triangle with these squared lengths, by Heron's formula
+  static double area(const double x, const double y, const double z)
+  {
+    const double squared = 2 * (x * y + y * z + z * x) - (x * x + y * y + z * z);
+    return squared > 0 ? 0.25 * std::sqrt(squared) : 0;
+  }
+
+  // takes back the moves of the vertices of folded faces, as long as there are any: each round takes back at least one move
+  void revert_folds(const std::vector<Vertex_state>& proposals, std::vector<char>& is_moved) const
+  {
+    const auto state = [&](const Vertex_index v) -> const Vertex_state&
+    { return is_moved[v] ? proposals[v] : m_mesh.point(v); };
+    std::vector<char> is_folded(face_capacity(m_mesh), 0);
+    for (bool is_any_folded = true; is_any_folded;)
+    {
+      parallel_for<ConcurrencyTag>(is_folded.size(),
+                                   [&](const std::size_t i)
+                                   {
+                                     const Face_index f(static_cast<Face_index::size_type>(i));
+                                     is_folded[i] = 0;
+                                     if (m_mesh.is_removed(f))
+                                       return;
+                                     const Triangle t(m_mesh.halfedge(f), m_mesh);
+                                     if (!is_moved[t.a] && !is_moved[t.b] && !is_moved[t.c])
+                                       return;
+                                     const double after = Face_guard::quality(state(t.a), state(t.b), state(t.c));
+                                     is_folded[i] =
+                                         after < Face_guard::smallest_cosine &&
+                                         !Face_guard::accepts(after, Face_guard::quality(m_mesh.point(t.a), m_mesh.point(t.b),
+                                                                                         m_mesh.point(t.c)));
+                                   });
+      is_any_folded = false;
+      for (std::size_t i = 0; i < is_folded.size(); ++i)
+      {
+        if (!is_folded[i])
+          continue;
+        const Triangle t(m_mesh.halfedge(Face_index(static_cast<Face_index::size_type>(i))), m_mesh);
+        is_any_folded = true;
+        is_moved[t.a] = is_moved[t.b] = is_moved[t.c] = 0;
+      }
+    }
+  }
+
+  Working_mesh& m_mesh;
+  const Embedding& m_embedding;
+  const Projection& m_projection;
+  const Boundary_curves& m_boundary;
+};
+
+} // namespace internal
+} // namespace Anisotropic_hde_remeshing
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_SMOOTH_VERTICES_H

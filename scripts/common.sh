@@ -1,0 +1,61 @@
+# shellcheck shell=bash
+# Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+#
+# This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Author(s)     : The Anisotropic_hde_remeshing developers
+
+# Functions for the scripts beside this file, which source it.
+
+# install_packages: what the package is built and tested with, by apt-get where something is missing
+install_packages() {
+  local wanted=(g++ cmake make ccache libcgal-dev libcgal-demo libeigen3-dev libtbb-dev libcli11-dev nlohmann-json3-dev)
+  local missing=() name
+  if ! command -v apt-get > /dev/null; then
+    echo "This is no Debian: make sure that the counterparts of these packages are installed: ${wanted[*]}" >&2
+    return
+  fi
+  for name in "${wanted[@]}"; do
+    if [[ "$(dpkg-query -W -f '${db:Status-Status}' "$name" 2> /dev/null)" != installed ]]; then
+      missing+=("$name")
+    fi
+  done
+  if ((${#missing[@]} > 0)); then
+    echo "Installing ${missing[*]}"
+    as_root apt-get update
+    as_root env DEBIAN_FRONTEND=noninteractive apt-get install --yes --no-install-recommends "${missing[@]}"
+  fi
+}
+
+as_root() {
+  if ((EUID == 0)); then
+    "$@"
+  else
+    sudo "$@"
+  fi
+}
+
+# unpack_cgal_data BUILD_DIR: Small images of Debian install packages without /usr/share/doc, where libcgal-demo has its
+# meshes. Then the package is unpacked into the build folder, where CMake looks for it.
+unpack_cgal_data() {
+  local build_dir=$1 download_dir
+  if compgen -G '/usr/share/doc/libcgal*/data.tar*' > /dev/null || [[ -n "${CGAL_DATA_DIR:-}" ]] ||
+    compgen -G "$build_dir/libcgal-demo/usr/share/doc/libcgal*/data.tar*" > /dev/null ||
+    ! command -v apt-get > /dev/null; then
+    return
+  fi
+  echo "Unpacking the meshes of libcgal-demo"
+  mkdir -p "$build_dir"
+  download_dir=$(mktemp -d)
+  chmod 755 "$download_dir"
+  (cd "$download_dir" && (apt-get download libcgal-demo || (as_root apt-get update && apt-get download libcgal-demo)))
+  dpkg-deb --extract "$download_dir"/libcgal-demo_*.deb "$build_dir/libcgal-demo"
+  rm -r "$download_dir"
+}
+
+# cgal_data_dir BUILD_DIR: the folder of CGAL's data that CMake has found
+cgal_data_dir() {
+  sed -n 's/^CGAL_AHR_DATA_DIR:INTERNAL=//p' "$1/CMakeCache.txt"
+}
