@@ -9,7 +9,8 @@
 
 # Installs what is missing (packages of Debian), builds hde_remesh for this machine and remeshes CGAL's bunny.
 # Usage: scripts/remesh_bunny.sh [OPTIONS OF hde_remesh]
-# BUILD_DIR (default build/hde_remesh) and OUTPUT (default bunny_remeshed.obj in it) may be set in the environment.
+# BUILD_DIR (default build/hde_remesh), OUTPUT (default bunny_remeshed.obj in it) and JOBS (default 2) may be set in the
+# environment.
 
 set -euo pipefail
 # relative to where the user is, not to the repository
@@ -18,12 +19,12 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source scripts/common.sh
 
 build_dir=${BUILD_DIR:-build/hde_remesh}
-output=${output:-$PWD/$build_dir/bunny_remeshed.obj}
+output=${output:-$(realpath -m "$build_dir")/bunny_remeshed.obj}
 
 install_packages
 unpack_cgal_data "$build_dir"
 cmake -Wno-dev -S . -B "$build_dir" -DCMAKE_BUILD_TYPE=Release -DCGAL_AHR_NATIVE=ON -DBUILD_TESTING=OFF
-cmake --build "$build_dir" --target hde_remesh
+cmake --build "$build_dir" --target hde_remesh -j "${JOBS:-2}"
 
 program=$(find "$build_dir" -name hde_remesh -type f -perm -u+x)
 "$program" "$(cgal_data_dir "$build_dir")/meshes/bunny00.off" "$output" "$@"

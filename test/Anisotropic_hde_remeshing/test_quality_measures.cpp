@@ -89,10 +89,13 @@ Mesh icosphere(const unsigned int level)
 template <typename SomeMesh>
 SomeMesh grid(const int n, const double height)
 {
-  typedef typename boost::property_traits<typename boost::property_map<SomeMesh, CGAL::vertex_point_t>::type>::value_type P;
+  typedef
+      typename boost::property_traits<typename boost::property_map<SomeMesh, CGAL::vertex_point_t>::type>::value_type P;
   SomeMesh mesh;
-  CGAL::make_grid(n, n, mesh, [=](std::size_t i, std::size_t j)
-                  { return P(static_cast<double>(i) / n, static_cast<double>(j) / n, height); }, true);
+  CGAL::make_grid(
+      n, n, mesh,
+      [=](std::size_t i, std::size_t j) { return P(static_cast<double>(i) / n, static_cast<double>(j) / n, height); },
+      true);
   return mesh;
 }
 
@@ -193,7 +196,8 @@ void test_embedding()
       Hde::measure_embedding<CGAL::Parallel_if_available_tag>(sphere, function, CGAL::parameters::sigma(2.));
   CHECK(parallel.edge_length_mean == measures.edge_length_mean);
   CHECK(parallel.minimum_angle_mean == measures.minimum_angle_mean);
-  CHECK_CLOSE(Hde::measure_embedding(icosphere(0), function, CGAL::parameters::sigma(2.)).minimum_angle_least, 60, 1e-10);
+  CHECK_CLOSE(Hde::measure_embedding(icosphere(0), function, CGAL::parameters::sigma(2.)).minimum_angle_least, 60,
+              1e-10);
 }
 
 void test_folded_faces()
@@ -274,8 +278,7 @@ void test_distance()
   CHECK_CLOSE(measures.max(), 1.5, 1e-12);
   // 1/4 + the mean of max(x - 1, 0)^2 + max(y - 1, 0)^2 over [0, 2]^2, which is 1/3
   CHECK_CLOSE(measures.rms_from_second, std::sqrt(0.25 + 1 / 3.), 2e-4);
-  const Hde::Distance_measures parallel =
-      Hde::measure_distance<CGAL::Parallel_if_available_tag>(low, high, samples);
+  const Hde::Distance_measures parallel = Hde::measure_distance<CGAL::Parallel_if_available_tag>(low, high, samples);
   CHECK(parallel.rms_from_first == measures.rms_from_first && parallel.rms_from_second == measures.rms_from_second);
   CHECK(Hde::measure_distance(low, low, samples).max() < 1e-15);
 }

@@ -17,8 +17,8 @@ namespace hde_remesh {
 enum Exit_status
 {
   STATUS_SUCCESS = 0,
-  STATUS_FAILURE = 1,  // the input, a value or the output is unusable
-  STATUS_USAGE = 2,    // the command line makes no sense
+  STATUS_FAILURE = 1,    // the input, a value or the output is unusable
+  STATUS_USAGE = 2,      // the command line makes no sense
   STATUS_CANCELLED = 130 // Ctrl-C, as shells count it
 };
 
@@ -36,7 +36,10 @@ private:
   Exit_status m_status;
 };
 
-inline std::string in_quotes(const std::string& name) { return "'" + name + "'"; }
+inline std::string in_quotes(const std::string& name)
+{
+  return "'" + name + "'";
+}
 
 } // namespace hde_remesh
 

@@ -28,9 +28,10 @@ Format format_of(const std::string& file_name)
     return Format::PLY;
   if (extension == ".stl")
     return Format::STL;
-  throw Failure(extension.empty() ? in_quotes(file_name) + " has no extension: .off, .obj, .ply or .stl tells the format"
-                                  : in_quotes(file_name) + " has the unknown extension " + in_quotes(extension) +
-                                        ": .off, .obj, .ply and .stl are known");
+  throw Failure(extension.empty()
+                    ? in_quotes(file_name) + " has no extension: .off, .obj, .ply or .stl tells the format"
+                    : in_quotes(file_name) + " has the unknown extension " + in_quotes(extension) +
+                          ": .off, .obj, .ply and .stl are known");
 }
 
 } // namespace hde_remesh

@@ -21,8 +21,8 @@ namespace hde_remesh {
 
 namespace {
 
-// Looks at a soup point by point, face by face, edge by edge; the first thing wrong ends the program. Messages count from
-// one and say how many there are, as formats differ in where they begin to count.
+// Looks at a soup point by point, face by face, edge by edge; the first thing wrong ends the program. Messages count
+// from one and say how many there are, as formats differ in where they begin to count.
 class Soup_inspector
 {
   // a side of a face: its ends, and the corners of the face there
@@ -102,7 +102,8 @@ private:
     return sides;
   }
 
-  // Every edge has one face, or two that run through it in opposite directions. On the way, joins the corners at its ends.
+  // Every edge has one face, or two that run through it in opposite directions. On the way, joins the corners at its
+  // ends.
   void inspect_edges()
   {
     m_next_corner.resize(3 * m_soup.faces.size());
@@ -113,8 +114,7 @@ private:
       while (end < sides.size() && !(sides[begin] < sides[end]))
         ++end;
       const Side& first = sides[begin];
-      const std::string edge =
-          "between " + vertex(first.low) + " and vertex " + std::to_string(first.high + 1);
+      const std::string edge = "between " + vertex(first.low) + " and vertex " + std::to_string(first.high + 1);
       if (end - begin > 2)
         fail("the edge " + edge + " has " + std::to_string(end - begin) + " faces, which no manifold mesh has");
       if (end - begin < 2)

@@ -26,8 +26,8 @@ struct Checked_mesh
   std::size_t number_of_isolated_vertices = 0; // points without a face, which the mesh does not have
 };
 
-// The triangle mesh of a soup, with the vertices and faces in their order. Fails, with the name of the file and the place,
-// if the soup is no manifold, consistently oriented mesh of triangles.
+// The triangle mesh of a soup, with the vertices and faces in their order. Fails, with the name of the file and the
+// place, if the soup is no manifold, consistently oriented mesh of triangles.
 Checked_mesh mesh_of_soup(const Soup& soup, const std::string& file_name);
 
 Soup soup_of_mesh(const Mesh& mesh);

@@ -6,7 +6,6 @@
 //
 // Author(s)     : The Anisotropic_hde_remeshing developers
 
-
 #ifndef HDE_REMESH_REPORT_H
 #define HDE_REMESH_REPORT_H
 
@@ -35,7 +34,7 @@ struct Report
   Hde::Remeshing_result result;
   Hde::Rbf_diagnostics rbf;
   Figures before, after;
-  std::optional<Hde::Distance_measures> distance; // first: the output, second: the input
+  std::optional<Hde::Distance_measures> distance;     // first: the output, second: the input
   std::vector<std::pair<std::string, double>> stages; // their names and wall times in seconds
 };
 

@@ -6,7 +6,6 @@
 //
 // Author(s)     : The Anisotropic_hde_remeshing developers
 
-
 #ifndef HDE_REMESH_STOPWATCH_H
 #define HDE_REMESH_STOPWATCH_H
 

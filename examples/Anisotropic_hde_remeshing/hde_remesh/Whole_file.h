@@ -36,8 +36,9 @@ public:
   {
     namespace fs = std::filesystem;
     std::error_code error;
-    const fs::path real = fs::weakly_canonical(name, error); // a link stays a link, its target is written
-    m_target = error ? fs::path(name) : real;
+    m_target = name;
+    for (int i = 0; i < 40 && fs::is_symlink(m_target, error); ++i) // a link stays a link, its target is written
+      m_target = m_target.parent_path() / fs::read_symlink(m_target, error); // of which an absolute one is all
     if (fs::exists(m_target, error) && !fs::is_regular_file(m_target, error))
       fail(fs::is_directory(m_target, error) ? "it is a directory" : "it is no ordinary file");
     if (fs::exists(m_target, error) && access(m_target.c_str(), W_OK) != 0)

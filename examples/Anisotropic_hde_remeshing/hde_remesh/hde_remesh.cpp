@@ -6,7 +6,6 @@
 //
 // Author(s)     : The Anisotropic_hde_remeshing developers
 
-
 // hde_remesh IN OUT: the package as a program. `hde_remesh --help` says what it does.
 
 #include "Failure.h"
@@ -67,8 +66,8 @@ Checked_mesh read_mesh(const Options& options)
   return input;
 }
 
-// With V vertices, b of them on boundaries, and the Euler characteristic c, a triangle mesh has 2 V - 2 c - b faces. The
-// number of boundary vertices goes with the square root of that of the faces.
+// With V vertices, b of them on boundaries, and the Euler characteristic c, a triangle mesh has 2 V - 2 c - b faces.
+// The number of boundary vertices goes with the square root of that of the faces.
 std::size_t faces_for_vertices(const long long number_of_vertices, const Hde::Topology_measures& input)
 {
   const double least = 4;
@@ -77,7 +76,8 @@ std::size_t faces_for_vertices(const long long number_of_vertices, const Hde::To
   {
     const double boundary = static_cast<double>(input.number_of_boundary_edges) *
                             std::sqrt(faces / static_cast<double>(input.number_of_faces));
-    faces = 2 * static_cast<double>(number_of_vertices) - 2 * static_cast<double>(input.euler_characteristic) - boundary;
+    faces =
+        2 * static_cast<double>(number_of_vertices) - 2 * static_cast<double>(input.euler_characteristic) - boundary;
     faces = (std::max)(least, faces);
   }
   return static_cast<std::size_t>(faces);
@@ -178,6 +178,7 @@ void run(const Options& options)
   stopwatch.lap();
   progress.stage("writing");
   write_soup(soup_of_mesh(remeshed.mesh), options.output);
+  is_output_written() = 1;
   end_stage("output", remeshed.result.output_seconds + stopwatch.lap());
 
   progress.stage("measuring");

@@ -35,7 +35,10 @@ std::size_t number_of_self_intersections(const Mesh& mesh)
 
 } // namespace
 
-Hde::Topology_measures measure_topology(const Mesh& mesh) { return Hde::measure_topology(mesh); }
+Hde::Topology_measures measure_topology(const Mesh& mesh)
+{
+  return Hde::measure_topology(mesh);
+}
 
 double diagonal(const Mesh& mesh)
 {
@@ -44,15 +47,14 @@ double diagonal(const Mesh& mesh)
 }
 
 Figures measure(const Mesh& mesh, const Function_view& function, const double sigma, const double target_edge_length,
-                 const bool with_self_intersections)
+                const bool with_self_intersections)
 {
   const auto np = CGAL::parameters::sigma(sigma);
   Figures figures;
   figures.topology = Hde::measure_topology(mesh);
   figures.shape = Hde::measure_shape(mesh);
   figures.embedding = Hde::measure_embedding<Tag>(mesh, function, np);
-  figures.embedding_to_target =
-      Hde::measure_embedding<Tag>(mesh, function, np.target_edge_length(target_edge_length));
+  figures.embedding_to_target = Hde::measure_embedding<Tag>(mesh, function, np.target_edge_length(target_edge_length));
   figures.zero_set = Hde::measure_distance_to_zero_set<Tag>(mesh, function);
   if (with_self_intersections)
     figures.self_intersections = number_of_self_intersections(mesh);

@@ -21,7 +21,7 @@ Hde::Topology_measures measure_topology(const Mesh& mesh);
 double diagonal(const Mesh& mesh);
 
 Figures measure(const Mesh& mesh, const Function_view& function, double sigma, double target_edge_length,
-                 bool with_self_intersections);
+                bool with_self_intersections);
 
 Hde::Distance_measures measure_distance(const Mesh& first, const Mesh& second);
 

@@ -66,6 +66,17 @@ bool parse(std::istream& stream, const Format format, Soup& soup)
   return false;
 }
 
+// CGAL's reader of OBJ files refuses some indices after it has read everything.
+std::string reason_of_refusal(const Soup& soup)
+{
+  for (std::size_t i = 0; i < soup.faces.size(); ++i)
+    for (const std::size_t v : soup.faces[i])
+      if (v >= soup.points.size())
+        return "face " + std::to_string(i + 1) + " of " + std::to_string(soup.faces.size()) +
+               " names a vertex that does not exist: there are " + std::to_string(soup.points.size());
+  return "it ends early or is no file of its format";
+}
+
 void write_as(std::ostream& stream, const Format format, const Soup& soup)
 {
   const auto np = CGAL::parameters::stream_precision(17); // a double is read back as it was
@@ -115,7 +126,8 @@ Soup read_soup(const std::string& file_name)
     // a size that no memory holds, a coordinate over 0: not a file of this format
   }
   if (!is_read)
-    throw Failure("cannot read " + in_quotes(file_name) + ": it ends early or is no file of its format");
+    throw Failure("cannot read " + in_quotes(file_name) + ": " +
+                  (format == Format::OBJ ? reason_of_refusal(soup) : "it ends early or is no file of its format"));
   return soup;
 }
 

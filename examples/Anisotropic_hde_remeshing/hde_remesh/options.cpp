@@ -55,11 +55,14 @@ const char* help_footer()
 void add_size_options(CLI::App& app, Options& o)
 {
   auto* sigma = app.add_option("--sigma", o.sigma, "weight of the normals, a fraction of D (default 0.01)");
-  app.add_option("--absolute-sigma", o.absolute_sigma, "weight of the normals, in the unit of the mesh")->excludes(sigma);
+  app.add_option("--absolute-sigma", o.absolute_sigma, "weight of the normals, in the unit of the mesh")
+      ->excludes(sigma);
   auto* faces = app.add_option("--faces", o.faces, "number of triangles to aim at (default: as many as IN has)");
   auto* vertices = app.add_option("--vertices", o.vertices,
                                   "number of vertices to aim at; turned into triangles by Euler's formula");
-  app.add_option("--length", o.length, "6D edge length to aim at, in the unit of the mesh")->excludes(faces)->excludes(vertices);
+  app.add_option("--length", o.length, "6D edge length to aim at, in the unit of the mesh")
+      ->excludes(faces)
+      ->excludes(vertices);
   vertices->excludes(faces);
 }
 
@@ -67,22 +70,27 @@ void add_function_options(CLI::App& app, Options& o)
 {
   const std::string group = "The smooth function";
   app.add_option("--kernel", o.kernel, "radial function: r3 (r^3, default) or thin-plate (r^2 log r)")
-      ->check(CLI::IsMember({"r3", "thin-plate"}))->group(group);
+      ->check(CLI::IsMember({"r3", "thin-plate"}))
+      ->group(group);
   app.add_option("--patches", o.patches, "number of overlapping patches (default: one for 20 vertices)")->group(group);
   app.add_option("--overlap", o.overlap, "how far a patch gathers vertices beyond its part, in local edge lengths")
       ->group(group);
-  app.add_option("--offset", o.offset, "distance of the off-surface points, in the unit of the mesh\n"
-                                       "(default: a share of the local edge length)")->group(group);
+  app.add_option("--offset", o.offset,
+                 "distance of the off-surface points, in the unit of the mesh\n"
+                 "(default: a share of the local edge length)")
+      ->group(group);
 }
 
 void add_remeshing_options(CLI::App& app, Options& o)
 {
   const std::string group = "The remeshing";
   app.add_option("--scheme", o.scheme, "default, or paper: Algorithm 2 of Dassi, Farrell and Si")
-      ->check(CLI::IsMember({"default", "paper"}))->group(group);
+      ->check(CLI::IsMember({"default", "paper"}))
+      ->group(group);
   app.add_option("--iterations", o.iterations, "number of iterations")->group(group);
   app.add_option("--relaxation-steps", o.relaxation_steps, "smoothing passes in an iteration")->group(group);
-  app.add_option("--smoothing-ratio", o.smoothing_ratio, "share of the vertices that are smoothed, in (0, 1]")->group(group);
+  app.add_option("--smoothing-ratio", o.smoothing_ratio, "share of the vertices that are smoothed, from 0 to 1")
+      ->group(group);
   app.add_option("--collapse-ratio", o.collapse_ratio, "edges shorter than this times the length are contracted")
       ->group(group);
   app.add_option("--split-ratio", o.split_ratio, "edges longer than this times the length are split")->group(group);
@@ -91,9 +99,12 @@ void add_remeshing_options(CLI::App& app, Options& o)
 void add_report_options(CLI::App& app, Options& o)
 {
   const std::string group = "The report";
-  app.add_option("--json", o.json, "write the table to FILE as JSON; - writes it to the standard output, without the table")
-      ->type_name("FILE")->group(group);
-  app.add_flag("--self-intersections", o.self_intersections, "count the pairs of triangles that intersect, before and after")
+  app.add_option("--json", o.json,
+                 "write the table to FILE as JSON; - writes it to the standard output, without the table")
+      ->type_name("FILE")
+      ->group(group);
+  app.add_flag("--self-intersections", o.self_intersections,
+               "count the pairs of triangles that intersect, before and after")
       ->group(group);
   app.add_flag("--no-distance", o.no_distance, "do not measure the distance between IN and OUT")->group(group);
   app.add_flag("-q,--quiet", o.quiet, "print nothing but errors")->group(group);

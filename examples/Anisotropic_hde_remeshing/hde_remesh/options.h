@@ -18,8 +18,8 @@ namespace hde_remesh {
 struct Options
 {
   std::string input, output;
-  std::optional<double> sigma, absolute_sigma;      // a fraction of the diagonal; a length
-  std::optional<long long> faces, vertices;         // signed, so that a negative count can be named
+  std::optional<double> sigma, absolute_sigma; // a fraction of the diagonal; a length
+  std::optional<long long> faces, vertices;    // signed, so that a negative count can be named
   std::optional<double> length;
   std::string kernel = "r3";
   std::optional<long long> patches;

@@ -6,7 +6,6 @@
 //
 // Author(s)     : The Anisotropic_hde_remeshing developers
 
-
 #include "Report.h"
 
 #include <cmath>
@@ -18,9 +17,15 @@ namespace hde_remesh {
 
 namespace {
 
-std::string text(const std::size_t count) { return std::to_string(count); }
+std::string text(const std::size_t count)
+{
+  return std::to_string(count);
+}
 
-std::string text(const std::optional<std::size_t>& count) { return count ? std::to_string(*count) : "-"; }
+std::string text(const std::optional<std::size_t>& count)
+{
+  return count ? std::to_string(*count) : "-";
+}
 
 std::string number(const double value, const int digits)
 {
@@ -39,7 +44,10 @@ std::string fixed(const double value, const int decimals)
 }
 
 // Rounded down, so that 100 % means all.
-std::string percent(const double share) { return fixed(std::floor(share * 1e4 + 1e-6) / 100, 2) + " %"; }
+std::string percent(const double share)
+{
+  return fixed(std::floor(share * 1e4 + 1e-6) / 100, 2) + " %";
+}
 
 class Table
 {
@@ -75,7 +83,8 @@ private:
     row("faces", text(before.number_of_faces), text(after.number_of_faces));
     row("components", text(before.number_of_components), text(after.number_of_components));
     row("boundary loops", text(before.number_of_boundary_loops), text(after.number_of_boundary_loops));
-    row("Euler characteristic", std::to_string(before.euler_characteristic), std::to_string(after.euler_characteristic));
+    row("Euler characteristic", std::to_string(before.euler_characteristic),
+        std::to_string(after.euler_characteristic));
     row("interior vertices with 6 edges", percent(before.valence_6_share), percent(after.valence_6_share));
   }
 
@@ -139,14 +148,14 @@ private:
     const Hde::Rbf_diagnostics& rbf = m_report.rbf;
     m_stream << "function: " << m_report.kernel << ", " << rbf.number_of_points << " points, " << rbf.number_of_patches
              << " patches of " << fixed(rbf.mean_centres, 0) << " centres (at most " << rbf.max_centres << "), "
-             << fixed(static_cast<double>(rbf.memory_bytes) / 1e6, 1) << " MB, residual " << number(rbf.worst_residual, 2)
-             << '\n';
+             << fixed(static_cast<double>(rbf.memory_bytes) / 1e6, 1) << " MB, residual "
+             << number(rbf.worst_residual, 2) << '\n';
     m_stream << "patches by fallback: " << rbf.patches_with_ridge << " ridge, " << rbf.patches_with_lu << " LU, "
              << rbf.patches_on_fallback << " tangent planes; " << rbf.number_of_shortened_offsets
              << " offsets shortened\n";
-    m_stream << "remeshing: " << result.number_of_iterations << " iterations, " << result.number_of_splits << " splits, "
-             << result.number_of_collapses << " contractions, " << result.number_of_flips << " flips; sigma "
-             << number(result.sigma, 5) << '\n';
+    m_stream << "remeshing: " << result.number_of_iterations << " iterations, " << result.number_of_splits
+             << " splits, " << result.number_of_collapses << " contractions, " << result.number_of_flips
+             << " flips; sigma " << number(result.sigma, 5) << '\n';
     m_stream << "projections: " << result.projections.newton << " by Newton's method, " << result.projections.bisection
              << " by bisection, " << result.projections.closest_point << " by the closest point of the input\n";
     m_stream << "D = " << number(m_report.diagonal, 6) << ", the diagonal of the bounding box\n";
@@ -159,6 +168,9 @@ private:
 
 } // namespace
 
-void print_table(const Report& report, std::ostream& stream) { Table(report, stream).print(); }
+void print_table(const Report& report, std::ostream& stream)
+{
+  Table(report, stream).print();
+}
 
 } // namespace hde_remesh

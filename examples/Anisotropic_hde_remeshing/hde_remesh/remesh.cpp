@@ -6,7 +6,6 @@
 //
 // Author(s)     : The Anisotropic_hde_remeshing developers
 
-
 #include "remesh.h"
 #include "Stopwatch.h"
 
@@ -22,6 +21,9 @@ namespace parameters = CGAL::parameters;
 typedef CGAL::Anisotropic_hde_remeshing::Remeshing_scheme Remeshing_scheme;
 typedef CGAL::Anisotropic_hde_remeshing::Remeshing_result Remeshing_result;
 
+// The kernel is a type. The remeshing sees the function through `Function_view`, so that it is compiled once for all of
+// them; beside the evaluation, the price of that does not show.
+//
 // Named parameters have their values at run time, but whether they are there is settled at compile time: hence the
 // branches below, one function a parameter that may be left out.
 
@@ -46,8 +48,8 @@ Function build(const Mesh& mesh, const Options& o)
                    : build_with_overlap<Function>(mesh, o, np);
 }
 
-template <typename Function, typename NamedParameters>
-Remeshing_result run(Mesh& mesh, const Function& function, const Options& o, const NamedParameters& np)
+template <typename NamedParameters>
+Remeshing_result run(Mesh& mesh, const Function_view& function, const Options& o, const NamedParameters& np)
 {
   // what the scheme has where nothing is given
   const auto defaults = CGAL::Anisotropic_hde_remeshing::internal::remeshing_parameters(np);
@@ -60,8 +62,7 @@ Remeshing_result run(Mesh& mesh, const Function& function, const Options& o, con
           .split_ratio(o.split_ratio.value_or(defaults.split_ratio)));
 }
 
-template <typename Function>
-Remeshing_result run_with_sizes(Mesh& mesh, const Function& function, const Sizes& sizes, const Options& o,
+Remeshing_result run_with_sizes(Mesh& mesh, const Function_view& function, const Sizes& sizes, const Options& o,
                                 Progress& progress)
 {
   const auto np = parameters::sigma(sizes.sigma)
@@ -72,30 +73,32 @@ Remeshing_result run_with_sizes(Mesh& mesh, const Function& function, const Size
 }
 
 template <typename RadialFunction>
-Remeshed remesh_with(const Mesh& mesh, const Sizes& sizes, const Options& options, Progress& progress)
+void build_function(const Mesh& mesh, const Options& options, Remeshed& remeshed)
 {
   typedef CGAL::Rbf_implicit_function<Kernel, RadialFunction> Function;
-  Remeshed remeshed;
-  progress.stage("smooth function");
   Stopwatch stopwatch;
   const Function function = build<Function>(mesh, options);
   remeshed.function_seconds = stopwatch.seconds();
   remeshed.function = Function_view::of(function);
   remeshed.kernel = RadialFunction::name();
   remeshed.rbf = function.diagnostics();
-  remeshed.mesh = mesh;
-  is_listening() = 1;
-  remeshed.result = run_with_sizes(remeshed.mesh, function, sizes, options, progress);
-  is_listening() = 0;
-  return remeshed;
 }
 
 } // namespace
 
 Remeshed remesh(const Mesh& mesh, const Sizes& sizes, const Options& options, Progress& progress)
 {
-  return options.kernel == "thin-plate" ? remesh_with<CGAL::Thin_plate_rbf>(mesh, sizes, options, progress)
-                                        : remesh_with<CGAL::Polyharmonic_rbf>(mesh, sizes, options, progress);
+  Remeshed remeshed;
+  progress.stage("smooth function");
+  if (options.kernel == "thin-plate")
+    build_function<CGAL::Thin_plate_rbf>(mesh, options, remeshed);
+  else
+    build_function<CGAL::Polyharmonic_rbf>(mesh, options, remeshed);
+  remeshed.mesh = mesh;
+  is_listening() = 1;
+  remeshed.result = run_with_sizes(remeshed.mesh, remeshed.function, sizes, options, progress);
+  is_listening() = 0;
+  return remeshed;
 }
 
 } // namespace hde_remesh

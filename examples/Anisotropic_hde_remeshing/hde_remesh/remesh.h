@@ -6,7 +6,6 @@
 //
 // Author(s)     : The Anisotropic_hde_remeshing developers
 
-
 #ifndef HDE_REMESH_REMESH_H
 #define HDE_REMESH_REMESH_H
 
@@ -28,7 +27,7 @@ namespace hde_remesh {
 struct Sizes
 {
   double sigma = 0;
-  std::optional<double> edge_length;      // one of these two
+  std::optional<double> edge_length; // one of these two
   std::optional<std::size_t> number_of_faces;
 };
 

@@ -46,6 +46,12 @@ inline volatile std::sig_atomic_t& is_cancelled()
   return flag;
 }
 
+inline volatile std::sig_atomic_t& is_output_written()
+{
+  static volatile std::sig_atomic_t flag = 0;
+  return flag;
+}
+
 extern "C" inline void handle_signal(const int signal_number)
 {
   if (signal_number == SIGINT && is_listening() && !is_cancelled())
@@ -55,7 +61,8 @@ extern "C" inline void handle_signal(const int signal_number)
   }
   if (temporary_name().exists)
     unlink(temporary_name().name);
-  static const char message[] = "\nhde_remesh: stopped by a signal\n";
+  const char* message = is_output_written() ? "\nhde_remesh: stopped by a signal (the mesh is written)\n"
+                                            : "\nhde_remesh: stopped by a signal; nothing was written\n";
   const char* text = isatty(STDERR_FILENO) ? message : message + 1; // on a terminal there is a bar to leave
   const ssize_t ignored = write(STDERR_FILENO, text, std::strlen(text));
   static_cast<void>(ignored);
@@ -69,6 +76,7 @@ inline void install_signal_handlers()
   temporary_name();
   is_listening() = 0;
   is_cancelled() = 0;
+  is_output_written() = 0;
   std::signal(SIGINT, handle_signal);
   std::signal(SIGTERM, handle_signal);
   std::signal(SIGHUP, handle_signal);

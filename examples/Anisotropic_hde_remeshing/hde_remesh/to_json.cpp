@@ -6,7 +6,6 @@
 //
 // Author(s)     : The Anisotropic_hde_remeshing developers
 
-
 #include "Report.h"
 
 #include <nlohmann/json.hpp>

@@ -15,8 +15,8 @@
 
 namespace hde_remesh {
 
-// What CGAL's readers take without a word or refuse without saying where: in a text, the first number that is none, or not
-// finite; in a binary STL file the first such coordinate. Empty if there is nothing of that kind.
+// What CGAL's readers take without a word or refuse without saying where: in a text, the first number that is none, or
+// not finite; in a binary STL file the first such coordinate. Empty if there is nothing of that kind.
 std::string problem_of_numbers(const std::string& text, Format format);
 
 } // namespace hde_remesh

@@ -36,9 +36,9 @@ struct Topology_measures
 /// circumradius over twice the inradius: 1 for an equilateral triangle, larger for any other.
 struct Shape_measures
 {
-  double aspect_ratio_mean = 0; ///< of the faces that are not degenerate
-  double aspect_ratio_p99 = 0;  ///< the 99th percentile, infinite if too many faces are degenerate
-  double aspect_ratio_max = 0;  ///< \f$ q_\Gamma \f$, infinite if a face is degenerate
+  double aspect_ratio_mean = 0;               ///< of the faces that are not degenerate
+  double aspect_ratio_p99 = 0;                ///< the 99th percentile, infinite if too many faces are degenerate
+  double aspect_ratio_max = 0;                ///< \f$ q_\Gamma \f$, infinite if a face is degenerate
   std::size_t number_of_degenerate_faces = 0; ///< those of three collinear points
 };
 
@@ -46,13 +46,13 @@ struct Shape_measures
 /// implicit function. An edge has there the squared length \f$ |a-b|^2 + \sigma^2 |n_a-n_b|^2 \f$.
 struct Embedding_measures
 {
-  double sigma = 0;                     ///< \f$ \sigma \f$, in the unit of the mesh
-  double edge_length_mean = 0;          ///< geometric mean of the 6D lengths of the edges
-  double target_edge_length = 0;        ///< the length `l` that the shares refer to
-  double share_within_half = 0;         ///< of the edges, those with a 6D length within [0.5, 1.5] `l`
-  double share_within_sqrt_2 = 0;       ///< of the edges, those with a 6D length within [0.7, 1.41] `l`
-  double minimum_angle_mean = 0;        ///< of the least 6D angles of the faces, in degrees
-  double minimum_angle_least = 0;       ///< the least 6D angle of all, in degrees
+  double sigma = 0;                       ///< \f$ \sigma \f$, in the unit of the mesh
+  double edge_length_mean = 0;            ///< geometric mean of the 6D lengths of the edges
+  double target_edge_length = 0;          ///< the length `l` that the shares refer to
+  double share_within_half = 0;           ///< of the edges, those with a 6D length within [0.5, 1.5] `l`
+  double share_within_sqrt_2 = 0;         ///< of the edges, those with a 6D length within [0.7, 1.41] `l`
+  double minimum_angle_mean = 0;          ///< of the least 6D angles of the faces, in degrees
+  double minimum_angle_least = 0;         ///< the least 6D angle of all, in degrees
   std::size_t number_of_folded_faces = 0; ///< faces turned against the function, see `measure_embedding()`
 };
 
@@ -60,10 +60,10 @@ struct Embedding_measures
 /// in the unit of the mesh
 struct Zero_set_measures
 {
-  double interior_vertex_max = 0;  ///< largest of the vertices that are not on a boundary
-  double boundary_vertex_max = 0;  ///< largest of the vertices on a boundary
-  double face_rms = 0;             ///< root mean square over the area of the faces
-  double face_max = 0;             ///< largest of the points sampled on the faces
+  double interior_vertex_max = 0;    ///< largest of the vertices that are not on a boundary
+  double boundary_vertex_max = 0;    ///< largest of the vertices on a boundary
+  double face_rms = 0;               ///< root mean square over the area of the faces
+  double face_max = 0;               ///< largest of the points sampled on the faces
   std::size_t number_of_samples = 0; ///< points sampled on the faces
 };
 

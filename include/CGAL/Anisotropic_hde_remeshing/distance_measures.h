@@ -50,9 +50,8 @@ class Distance_to_mesh
 public:
   Distance_to_mesh(const TriangleMesh& tmesh, const NamedParameters& np)
   {
-    const Vertex_point_map point_map =
-        parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
-                                     get_const_property_map(vertex_point, tmesh));
+    const Vertex_point_map point_map = parameters::choose_parameter(
+        parameters::get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tmesh));
     m_tree.insert(faces(tmesh).first, faces(tmesh).second, tmesh, point_map);
     m_tree.build();
     m_tree.accelerate_distance_queries(); // now, not at the first query of one of the threads
@@ -72,10 +71,10 @@ template <typename ConcurrencyTag, typename Distance>
 Rms_and_max rms_and_max_from(const Measured_mesh& mesh, const std::size_t number_of_samples, const Distance& distance)
 {
   const Area_sampler sampler(mesh, number_of_samples);
-  Rms_and_max result = rms_and_max<ConcurrencyTag>(sampler.size(),
-                                                   [&](const std::size_t i) { return distance(sampler(i)); });
-  const Rms_and_max of_vertices = rms_and_max<ConcurrencyTag>(
-      mesh.points.size(), [&](const std::size_t v) { return distance(mesh.points[v]); });
+  Rms_and_max result =
+      rms_and_max<ConcurrencyTag>(sampler.size(), [&](const std::size_t i) { return distance(sampler(i)); });
+  const Rms_and_max of_vertices =
+      rms_and_max<ConcurrencyTag>(mesh.points.size(), [&](const std::size_t v) { return distance(mesh.points[v]); });
   result.max = (std::max)(result.max, of_vertices.max);
   return result;
 }
@@ -85,8 +84,8 @@ Rms_and_max rms_and_max_from(const Measured_mesh& mesh, const std::size_t number
 /*!
 \brief measures the distances between two triangle meshes, both ways, at sampled points.
 
-The points sampled are spread evenly over the area, without random numbers: a second call gives the same result, as does
-another number of threads.
+The points sampled are spread evenly over the area, without random numbers: a second call gives the same result, as
+does another number of threads.
 
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`: how the distances are computed
 \tparam TriangleMesh1 a model of `VertexListGraph`, `EdgeListGraph`, `HalfedgeListGraph` and `FaceListGraph`
@@ -96,8 +95,8 @@ another number of threads.
 
 \param tmesh1 the first triangle mesh
 \param tmesh2 the second triangle mesh
-\param np1 optional named parameters for `tmesh1`: `vertex_point_map`, `geom_traits` and `number_of_points_on_faces` (the
-number of points sampled on the faces of each of the two meshes, by default 200,000)
+\param np1 optional named parameters for `tmesh1`: `vertex_point_map`, `geom_traits` and `number_of_points_on_faces`
+(the number of points sampled on the faces of each of the two meshes, by default 200,000)
 \param np2 optional named parameters for `tmesh2`: `vertex_point_map` and `geom_traits`
 
 \pre both are triangle meshes and have a face

@@ -63,8 +63,7 @@ struct Embedded_mesh
 
   double squared_length(const std::size_t a, const std::size_t b) const
   {
-    return (mesh.points[a] - mesh.points[b]).squaredNorm() +
-           sigma * sigma * (normals[a] - normals[b]).squaredNorm();
+    return (mesh.points[a] - mesh.points[b]).squaredNorm() + sigma * sigma * (normals[a] - normals[b]).squaredNorm();
   }
 
   bool is_folded(const std::size_t f) const
@@ -102,8 +101,10 @@ inline void measure_edges(const Embedded_mesh& embedded, Embedding_measures& mea
   const auto share_within = [&](const double low, const double high)
   {
     const double l = measures.target_edge_length;
-    return static_cast<double>(std::count_if(lengths.begin(), lengths.end(), [&](const double length)
-                                             { return length >= low * l && length <= high * l; })) / number;
+    return static_cast<double>(std::count_if(lengths.begin(), lengths.end(),
+                                             [&](const double length)
+                                             { return length >= low * l && length <= high * l; })) /
+           number;
   };
   measures.share_within_half = share_within(0.5, 1.5);
   measures.share_within_sqrt_2 = share_within(0.7, 1.41);
@@ -154,8 +155,7 @@ double aspect_ratio(const Point_3& p, const Point_3& q, const Point_3& r)
 \pre `is_triangle_mesh(tmesh)`
 */
 template <typename TriangleMesh, typename NamedParameters = parameters::Default_named_parameters>
-Topology_measures measure_topology(const TriangleMesh& tmesh,
-                                   const NamedParameters& np = parameters::default_values())
+Topology_measures measure_topology(const TriangleMesh& tmesh, const NamedParameters& np = parameters::default_values())
 {
   const internal::Measured_mesh mesh = internal::read_measured_mesh(tmesh, np);
   Topology_measures measures;

@@ -61,8 +61,8 @@ Zero_set_measures measure_distance_to_zero_set(const TriangleMesh& tmesh, const 
   };
 
   const internal::Area_sampler sampler(mesh, number_of_samples);
-  const internal::Rms_and_max of_faces = internal::rms_and_max<ConcurrencyTag>(
-      sampler.size(), [&](const std::size_t i) { return distance(sampler(i)); });
+  const internal::Rms_and_max of_faces =
+      internal::rms_and_max<ConcurrencyTag>(sampler.size(), [&](const std::size_t i) { return distance(sampler(i)); });
   Zero_set_measures measures;
   measures.interior_vertex_max = vertex_max(false);
   measures.boundary_vertex_max = vertex_max(true);

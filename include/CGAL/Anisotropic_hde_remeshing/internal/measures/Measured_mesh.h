@@ -37,10 +37,10 @@ namespace internal {
 struct Measured_mesh
 {
   std::vector<Vector> points;
-  std::vector<char> is_on_boundary;       // a vertex, as `points`; no vector<bool>, which threads cannot share
-  std::vector<std::size_t> valences;      // a vertex
+  std::vector<char> is_on_boundary;  // a vertex, as `points`; no vector<bool>, which threads cannot share
+  std::vector<std::size_t> valences; // a vertex
   std::vector<std::array<std::size_t, 3>> faces;
-  std::vector<char> is_degenerate;        // a face, by the exact predicate of the kernel
+  std::vector<char> is_degenerate; // a face, by the exact predicate of the kernel
   std::vector<std::pair<std::size_t, std::size_t>> edges;
   std::size_t number_of_isolated_vertices = 0;
   std::size_t number_of_boundary_edges = 0;
@@ -172,8 +172,8 @@ Measured_mesh read_measured_mesh(const TriangleMesh& tmesh, const NamedParameter
 
   CGAL_precondition_msg(is_triangle_mesh(tmesh), "the measures are of a triangle mesh");
   const Geom_traits traits = choose_parameter<Geom_traits>(get_parameter(np, internal_np::geom_traits));
-  const Vertex_point_map point_map = choose_parameter(get_parameter(np, internal_np::vertex_point),
-                                                      get_const_property_map(vertex_point, tmesh));
+  const Vertex_point_map point_map =
+      choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tmesh));
   return Mesh_reader<TriangleMesh, Vertex_point_map>(tmesh, point_map).read(traits);
 }
 
@@ -192,7 +192,8 @@ inline double aspect_ratio(const Vector& p, const Vector& q, const Vector& r)
     sides[i] /= scale;
     lengths[i] = sides[i].norm();
   }
-  const int longest = lengths[0] >= lengths[1] ? (lengths[0] >= lengths[2] ? 0 : 2) : (lengths[1] >= lengths[2] ? 1 : 2);
+  const int longest =
+      lengths[0] >= lengths[1] ? (lengths[0] >= lengths[2] ? 0 : 2) : (lengths[1] >= lengths[2] ? 1 : 2);
   const double squared_area_4 = sides[(longest + 1) % 3].cross(sides[(longest + 2) % 3]).squaredNorm(); // 4 A^2
   if (!(squared_area_4 > 0))
     return std::numeric_limits<double>::infinity();

