@@ -109,17 +109,16 @@ void check_target(const NamedParameters& np)
     checked_count("number_of_target_faces", parameters::get_parameter(np, internal_np::number_of_target_faces));
 }
 
-template <typename Embedding, typename NamedParameters>
-Target_length target_length(const NamedParameters& np, const Working_mesh& mesh, const Embedding& embedding)
+template <typename NamedParameters>
+Target_length target_length(const NamedParameters& np, const Working_mesh& mesh)
 {
   using parameters::get_parameter;
   if constexpr (!parameters::is_default_parameter<NamedParameters, internal_np::target_edge_length_t>::value)
     return Target_length::of_length(CGAL::to_double(get_parameter(np, internal_np::target_edge_length)));
   else if constexpr (!parameters::is_default_parameter<NamedParameters, internal_np::number_of_target_faces_t>::value)
-    return Target_length::of_number_of_faces(std::size_t(get_parameter(np, internal_np::number_of_target_faces)), mesh,
-                                             embedding);
+    return Target_length::of_number_of_faces(std::size_t(get_parameter(np, internal_np::number_of_target_faces)));
   else
-    return Target_length::of_number_of_faces(mesh.number_of_faces(), mesh, embedding);
+    return Target_length::of_number_of_faces(mesh.number_of_faces());
 }
 
 // 1 if the faces of the mesh look along the normals of its vertices, -1 if most of their area looks against them
@@ -165,7 +164,7 @@ void remesh(Working_mesh& mesh, const Function& function, Visitor& visitor, cons
 
   timer.reset();
   visitor.stage_started(Stage::REMESHING);
-  remesher.run(target_length(np, mesh, embedding));
+  remesher.run(target_length(np, mesh));
   result.projections = projection.counters();
   result.remeshing_seconds = timer.time();
 }
@@ -221,7 +220,7 @@ The result does not depend on the number of threads. If an exception is thrown, 
   \cgalParamNBegin{number_of_relaxation_steps}
     \cgalParamDescription{how often an iteration smooths; not used by the scheme of the paper}
     \cgalParamType{unsigned int}
-    \cgalParamDefault{3}
+    \cgalParamDefault{2}
   \cgalParamNEnd
   \cgalParamNBegin{remeshing_scheme}
     \cgalParamDescription{the order of the operations}

@@ -21,50 +21,40 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// The edge length to aim at in the embedding: the one of the caller, or the one that gives the caller's number of faces.
-// The area in the embedding of a noisy surface grows with the number of vertices that see the noise, so that the length is
-// corrected by the number of faces that it has given.
+// The edge length and the number of faces to aim at. The caller gives one of them; the other follows from the area A of the
+// mesh in the embedding, which N equilateral triangles of the edge length l fill: A = N sqrt(3)/4 l^2. The area is taken
+// anew in every iteration, because that of a noisy surface grows with the number of vertices that see the noise.
 class Target_length
 {
-  // the area of a mesh over that of as many equilateral triangles of the target length, measured on smooth surfaces
-  inline static const double area_ratio = getenv("AR")?atof(getenv("AR")):1.15;
-  static constexpr double largest_correction = 1.5; // of the length, at once
-
 public:
-  static Target_length of_length(const double length) { return Target_length(length, 0); }
+  static Target_length of_length(const double length) { return Target_length(length, 0, true); }
 
-  template <typename Embedding>
-  static Target_length of_number_of_faces(const std::size_t number_of_faces, const Working_mesh& mesh,
-                                          const Embedding& embedding)
+  static Target_length of_number_of_faces(const std::size_t number_of_faces)
   {
-    const double equilateral_area = area(mesh, embedding) * area_ratio / double(number_of_faces);
-    return Target_length(std::sqrt(equilateral_area * 4 / std::sqrt(3.)), number_of_faces);
+    return Target_length(0, double(number_of_faces), false);
   }
 
   double length() const { return m_length; }
 
-  bool is_number_of_faces() const { return m_number_of_faces > 0; }
+  double number_of_faces() const { return m_number_of_faces; }
 
-  // corrects the length by the area of the mesh as it is now
   template <typename Embedding>
-  void correct(const Working_mesh& mesh, const Embedding& embedding)
+  void update(const Working_mesh& mesh, const Embedding& embedding)
   {
-    if (is_number_of_faces())
-      *this = of_number_of_faces(m_number_of_faces, mesh, embedding);
+    const double equilateral_area = 0.25 * std::sqrt(3.);
+    if (m_is_length_given)
+      m_number_of_faces = area(mesh, embedding) / (equilateral_area * m_length * m_length);
+    else
+      m_length = std::sqrt(area(mesh, embedding) / (equilateral_area * m_number_of_faces));
   }
 
-  // how many faces there are too many, negative if there are too few
-  std::ptrdiff_t excess(const std::size_t number_of_faces) const
-  {
-    return is_number_of_faces() ? std::ptrdiff_t(number_of_faces) - std::ptrdiff_t(m_number_of_faces) : 0;
-  }
-
-public:
-  Target_length(const double length, const std::size_t number_of_faces)
-    : m_length(length), m_number_of_faces(number_of_faces)
+private:
+  Target_length(const double length, const double number_of_faces, const bool is_length_given)
+    : m_length(length), m_number_of_faces(number_of_faces), m_is_length_given(is_length_given)
   {
   }
 
+  // of the faces in the embedding, by Heron's formula
   template <typename Embedding>
   static double area(const Working_mesh& mesh, const Embedding& embedding)
   {
@@ -81,7 +71,8 @@ public:
   }
 
   double m_length;
-  std::size_t m_number_of_faces; // 0: the length is the caller's
+  double m_number_of_faces;
+  bool m_is_length_given;
 };
 
 } // namespace internal

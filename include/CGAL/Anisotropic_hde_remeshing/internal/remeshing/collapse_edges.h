@@ -49,36 +49,7 @@ public:
     return number_of_collapses;
   }
 
-  // the same, but only where the valences of the four vertices of the edge come nearer to six
-  std::size_t improve_valences(const double length, const double longest) const
-  {
-    const double squared_length = length * length;
-    std::size_t number_of_collapses = 0;
-    for (const auto& candidate : short_edges(squared_length))
-      if (!m_mesh.is_removed(candidate.second) && this->squared_length(candidate.second) < squared_length &&
-          improves_valences(candidate.second) && collapse(candidate.second, longest * longest))
-        ++number_of_collapses;
-    return number_of_collapses;
-  }
-
 private:
-  bool improves_valences(const Edge_index e) const
-  {
-    if (m_mesh.is_border(e))
-      return false;
-    const Halfedge_index h = m_mesh.halfedge(e), g = m_mesh.opposite(h);
-    const int a = excess_valence(m_mesh.source(h)), b = excess_valence(m_mesh.target(h)),
-              c = excess_valence(m_mesh.target(m_mesh.next(h))), d = excess_valence(m_mesh.target(m_mesh.next(g)));
-    const auto square = [](const int x) { return x * x; };
-    return square(a + b + 2) + square(c - 1) + square(d - 1) < square(a) + square(b) + square(c) + square(d);
-  }
-
-  // an inner vertex wants six edges, one of the boundary four
-  int excess_valence(const Vertex_index v) const
-  {
-    return int(m_mesh.degree(v)) - (m_mesh.point(v).is_on_boundary() ? 4 : 6);
-  }
-
   double squared_length(const Edge_index e) const
   {
     return m_embedding.squared_length(m_mesh.point(m_mesh.vertex(e, 0)), m_mesh.point(m_mesh.vertex(e, 1)));

@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -150,7 +151,7 @@ private:
     if (!gather(v, state, frame, around))
       return false;
     const Eigen::Matrix2d shape_operator = around.shape_operator();
-    static const double rl=getenv("RL")?atof(getenv("RL")):relaxation; Eigen::Vector2d step = rl * m_embedding.tangential_step(frame.transpose() * around.to_point,
+    Eigen::Vector2d step = relaxation * m_embedding.tangential_step(frame.transpose() * around.to_point,
                                                                     frame.transpose() * around.to_normal, shape_operator);
     const double length = step.norm(), radius = std::sqrt(around.squared_radius);
     if (!(length > negligible_step * radius)) // not a number, too
