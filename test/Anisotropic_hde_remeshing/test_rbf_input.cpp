@@ -41,12 +41,12 @@ Points_with_normals points_with_normals(const Mesh& mesh, const Ellipsoid_functi
   return result;
 }
 
-// points close to the ellipsoid, inside and outside
+// points close to the ellipsoid, on it, inside and outside
 std::vector<Point_3> test_points()
 {
   std::vector<Point_3> result;
   for (const Point_3& q : spiral_points(1000))
-    for (const double factor : {0.98, 1., 1.03})
+    for (const double factor : {0.99, 1., 1.01})
       result.emplace_back(factor * q.x(), 2 * factor * q.y(), 5 * factor * q.z());
   return result;
 }
@@ -62,14 +62,14 @@ double largest_difference(const F& f, const G& g)
 
 void test_points_with_normals()
 {
-  const Mesh mesh = ellipsoid(3);
+  const Mesh mesh = ellipsoid(4);
   const Points_with_normals points = points_with_normals(mesh);
   const Function from_mesh(mesh), from_points(points);
   CHECK(from_points.diagnostics().number_of_points == points.size());
   // the offsets and the normals differ a little
   const double difference = largest_difference(from_mesh, from_points);
   std::cout << "from mesh and from points: " << difference << std::endl;
-  CHECK(difference < 2e-3);
+  CHECK(difference < 1e-3);
   for (const Point_with_normal& p : points)
     CHECK(std::abs(from_points(p.first)) < 1e-9);
 
@@ -165,13 +165,17 @@ void test_close_sheets()
   CHECK(wrong == 0);
 }
 
+// A scaled input gives the scaled function. The shape has no symmetry: where two points are equally far along an axis, the
+// last bit decides in which patch they are.
 void test_scale()
 {
-  const Function f(ellipsoid(3));
+  Soup soup = scaled(icosphere_soup(3), 1, 2, 5);
+  for (Point_3& p : soup.points)
+    p = Point_3(p.x() + 0.1 * p.z() + 0.02 * p.z() * p.z(), p.y() + 0.1 * p.x() * p.z(), p.z() + 0.1 * p.y());
+  const Function f(to_mesh(soup));
   for (const double scale : {1e-6, 1e6})
   {
-    const Ellipsoid_function exact{scale, 2 * scale, 5 * scale};
-    const Function g(ellipsoid(3, exact));
+    const Function g(to_mesh(scaled(soup, scale, scale, scale)));
     double value = 0, gradient = 0;
     for (const Point_3& p : test_points())
     {
@@ -180,7 +184,7 @@ void test_scale()
       gradient = (std::max)(gradient, std::sqrt((f.gradient(p) - g.gradient(q)).squared_length()));
     }
     std::cout << "scaled by " << scale << ": " << value << " " << gradient << std::endl;
-    CHECK(value < 1e-9);
+    CHECK(value < 1e-8);
     CHECK(gradient < 1e-7);
   }
 }
@@ -192,7 +196,7 @@ void test_few_points()
   CGAL::make_tetrahedron(Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(0, 0, 1), tetrahedron);
   const Function f(tetrahedron);
   CHECK(f(Point_3(0.2, 0.2, 0.2)) < 0);
-  CHECK(f(Point_3(1, 1, 1)) > 0);
+  CHECK(f(Point_3(2, 2, 2)) > 0);
   // a flat one: the polynomials are not determined by its vertices alone
   Mesh square;
   CGAL::make_quad(Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(1, 1, 0), Point_3(0, 1, 0), square);

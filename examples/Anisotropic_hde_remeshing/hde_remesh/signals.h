@@ -79,7 +79,8 @@ inline void install_signal_handlers()
   is_output_written() = 0;
   std::signal(SIGINT, handle_signal);
   std::signal(SIGTERM, handle_signal);
-  std::signal(SIGHUP, handle_signal);
+  if (std::signal(SIGHUP, handle_signal) == SIG_IGN) // started by nohup
+    std::signal(SIGHUP, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow is a failed write, which is reported
 }
 

@@ -46,6 +46,8 @@ class Blending_tree
   };
 
   static constexpr double offset_overlap = 1; // in units of the local spacing
+  // of the points of a cell: where sampling is uneven, a slab as wide as a coarse region asks would swallow a dense one
+  static constexpr double largest_share_of_slab = 0.4;
 
 public:
   struct Leaf
@@ -63,7 +65,8 @@ public:
                 const double overlap, const std::size_t maximum_leaf_size)
     : m_blending(blending), m_overlap(overlap), m_maximum_leaf_size(maximum_leaf_size)
   {
-    Points all{std::vector<std::size_t>(sample.size()), std::vector<char>(sample.size(), 1)};
+    Points all{std::vector<std::size_t>(sample.size()), std::vector<char>(sample.size(), 1),
+               std::vector<double>(sample.size(), -1)};
     std::iota(all.indices.begin(), all.indices.end(), std::size_t(0));
     std::vector<std::size_t> own = all.indices;
     m_nodes.emplace_back();
@@ -111,6 +114,7 @@ private:
   {
     std::vector<std::size_t> indices;
     std::vector<char> has_offset;
+    std::vector<double> beyond; // how far outside the zone of influence, in units of the local spacing; negative inside
 
     std::size_t size() const { return indices.size(); }
   };
@@ -143,7 +147,27 @@ private:
     }
     m_nodes[node_index].is_leaf = true;
     m_nodes[node_index].left = m_leaves.size();
+    trim(data);
     m_leaves.push_back(Leaf{std::move(data.indices), std::move(data.has_offset), std::move(own)});
+  }
+
+  // A leaf that is too large after all keeps the points of its zone of influence and those nearest to it.
+  void trim(Points& data) const
+  {
+    if (data.size() <= m_maximum_leaf_size)
+      return;
+    std::vector<double> sorted = data.beyond;
+    std::nth_element(sorted.begin(), sorted.begin() + std::ptrdiff_t(m_maximum_leaf_size), sorted.end());
+    const double farthest = (std::max)(sorted[m_maximum_leaf_size], 0.);
+    std::size_t next = 0;
+    for (std::size_t k = 0; k < data.size(); ++k)
+      if (data.beyond[k] <= farthest)
+      {
+        data.indices[next] = data.indices[k];
+        data.has_offset[next++] = data.has_offset[k];
+      }
+    data.indices.resize(next);
+    data.has_offset.resize(next);
   }
 
   // the plane across the longest principal axis of the points that divides them in the ratio of the leaves to come
@@ -162,7 +186,8 @@ private:
     std::nth_element(coordinates.begin(), coordinates.begin() + middle, coordinates.end());
     const auto last_of_left = *std::max_element(coordinates.begin(), coordinates.begin() + middle);
     node.position = 0.5 * (last_of_left.first + coordinates[middle].first);
-    node.half_width = m_blending * spacing_near_plane(sample, own, node, {last_of_left.second, coordinates[middle].second});
+    const double spacing = spacing_near_plane(sample, own, node, {last_of_left.second, coordinates[middle].second});
+    node.half_width = (std::min)(m_blending * spacing, widest_slab(coordinates, node.position));
     return node;
   }
 
@@ -179,6 +204,16 @@ private:
       return Vector::UnitX();
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(covariance / trace);
     return axes.eigenvectors().col(2);
+  }
+
+  // the half-width of the slab that holds `largest_share_of_slab` of the points
+  static double widest_slab(std::vector<std::pair<double, std::size_t>>& coordinates, const double position)
+  {
+    for (auto& coordinate : coordinates)
+      coordinate.first = std::abs(coordinate.first - position);
+    const auto quantile = coordinates.begin() + std::ptrdiff_t(largest_share_of_slab * double(coordinates.size()));
+    std::nth_element(coordinates.begin(), quantile, coordinates.end());
+    return quantile->first;
   }
 
   // the median of the spacings of the points near the plane
@@ -216,6 +251,7 @@ private:
           continue;
         to[side].indices.push_back(i);
         to[side].has_offset.push_back(from.has_offset[k] && beyond <= offset_overlap * sample.spacings[i]);
+        to[side].beyond.push_back((std::max)(from.beyond[k], beyond / sample.spacings[i]));
       }
     }
   }

@@ -53,7 +53,9 @@ class Interpolation_system
   typedef Eigen::Matrix<double, Eigen::Dynamic, degree_count> Polynomial_matrix;
 
 public:
-  static constexpr double largest_residual = 1e-9; // relative; beyond it a solution is not accepted
+  // Relative to the largest datum; beyond it a solution is not accepted. The data are a small part of the spacing of the
+  // points, so that this is about 1e-8 of the spacing.
+  static constexpr double largest_residual = 1e-7;
 
   Interpolation_system(const Points& centres, const RadialFunction& function) : m_centres(centres), m_function(function)
   {
@@ -108,9 +110,11 @@ private:
     const Eigen::HouseholderQR<Polynomial_matrix> qr(polynomials);
     Eigen::MatrixXd matrix = RadialFunction::sign * interpolation_matrix();
     Eigen::VectorXd right = RadialFunction::sign * data;
-    matrix.applyOnTheLeft(qr.householderQ().adjoint());
-    matrix.applyOnTheRight(qr.householderQ());
-    right.applyOnTheLeft(qr.householderQ().adjoint());
+    if constexpr (degree_count > 0)
+    {
+      transform_by_similarity(qr, matrix);
+      right.applyOnTheLeft(qr.householderQ().adjoint());
+    }
 
     Interpolation_coefficients result;
     result.relative_residual = std::numeric_limits<double>::infinity();
@@ -121,18 +125,23 @@ private:
     Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> cholesky(reduced); // in place: overwrites the lower triangle
     if (cholesky.info() != Eigen::Success)
       return result;
-    const Eigen::VectorXd u = cholesky.solve(right.tail(m));
+    Eigen::VectorXd u = cholesky.solve(right.tail(m));
     // Q is orthogonal, hence the residual in its coordinates is as large as that of (11); the upper triangle still is A's
-    Eigen::VectorXd residual = diagonal.cwiseProduct(u) - right.tail(m);
-    residual.noalias() += reduced.template triangularView<Eigen::StrictlyUpper>() * u;
-    residual.noalias() += reduced.template triangularView<Eigen::StrictlyUpper>().transpose() * u;
+    const auto residual = [&]() -> Eigen::VectorXd
+    {
+      Eigen::VectorXd r = right.tail(m) - diagonal.cwiseProduct(u);
+      r.noalias() -= reduced.template triangularView<Eigen::StrictlyUpper>() * u;
+      r.noalias() -= reduced.template triangularView<Eigen::StrictlyUpper>().transpose() * u;
+      return r;
+    };
+    u += cholesky.solve(residual()); // a step of iterative refinement
     const double size = data.template lpNorm<Eigen::Infinity>();
-    result.relative_residual = size > 0 ? residual.template lpNorm<Eigen::Infinity>() / size : 0.;
+    result.relative_residual = size > 0 ? residual().template lpNorm<Eigen::Infinity>() / size : 0.;
     result.weights = Eigen::VectorXd::Zero(n);
     result.weights.tail(m) = u;
-    result.weights.applyOnTheLeft(qr.householderQ());
     if constexpr (degree_count > 0)
     {
+      result.weights.applyOnTheLeft(qr.householderQ());
       const Eigen::VectorXd polynomial_right = right.head(degree_count) - matrix.topRightCorner(degree_count, m) * u;
       const auto triangle = qr.matrixQR().template topRows<degree_count>().template triangularView<Eigen::Upper>();
       result.polynomial.template head<degree_count>() = RadialFunction::sign * triangle.solve(polynomial_right);
@@ -140,6 +149,27 @@ private:
     if (!result.weights.allFinite() || !result.polynomial.allFinite())
       result.relative_residual = std::numeric_limits<double>::infinity();
     return result;
+  }
+
+  // Replaces the symmetric A by Q^T A Q. With the compact form Q = I - V T V^T of the reflections, X = A V T and
+  // Y = X - V (T^T V^T X) / 2 it is A - V Y^T - Y V^T: one product instead of a sweep over A a reflection and side.
+  static void transform_by_similarity(const Eigen::HouseholderQR<Polynomial_matrix>& qr, Eigen::MatrixXd& matrix)
+  {
+    const Eigen::Index n = matrix.rows();
+    Polynomial_matrix v = qr.matrixQR().template triangularView<Eigen::UnitLower>();
+    Eigen::Matrix<double, degree_count, degree_count> t = Eigen::Matrix<double, degree_count, degree_count>::Zero();
+    for (Eigen::Index i = 0; i < degree_count; ++i)
+    {
+      t(i, i) = qr.hCoeffs()[i];
+      if (i > 0)
+        t.col(i).head(i) = -t(i, i) * (t.topLeftCorner(i, i) * (v.leftCols(i).transpose() * v.col(i)));
+    }
+    const Polynomial_matrix x = matrix * (v * t);
+    Eigen::Matrix<double, Eigen::Dynamic, 2 * degree_count> left(n, 2 * degree_count), right(n, 2 * degree_count);
+    left.template leftCols<degree_count>() = v;
+    left.template rightCols<degree_count>() = x - 0.5 * v * (t.transpose() * (v.transpose() * x));
+    right << left.template rightCols<degree_count>(), v;
+    matrix.noalias() -= left * right.transpose();
   }
 
   // the whole indefinite system, for the data that the null space method cannot take: all of them in a plane, say
@@ -152,7 +182,7 @@ private:
     matrix.bottomLeftCorner(degree_count, n) = polynomial_matrix().transpose();
     Eigen::VectorXd right = Eigen::VectorXd::Zero(size);
     right.head(n) = data;
-    const Eigen::VectorXd solution = matrix.fullPivLu().solve(right);
+    const Eigen::VectorXd solution = matrix.partialPivLu().solve(right);
     Interpolation_coefficients result;
     result.weights = solution.head(n);
     result.polynomial.head(degree_count) = solution.tail(degree_count);

@@ -47,7 +47,7 @@ class Patchwise_interpolant
   typedef Off_surface_points<ConcurrencyTag> Offsets;
 
   static constexpr std::size_t points_per_patch = 25;
-  static constexpr std::size_t maximum_points_of_patch = 400;
+  static constexpr std::size_t maximum_points_of_patch = 300;
 
 public:
   Patchwise_interpolant(const Surface_sample& sample, const Interpolation_parameters& parameters,

@@ -13,10 +13,17 @@
 
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Working_mesh.h>
 
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/version.h>
+
+#if CGAL_VERSION_NR >= CGAL_VERSION_NUMBER(6, 0, 0)
+#  include <CGAL/AABB_traits_3.h>
+#  include <CGAL/AABB_triangle_primitive_3.h>
+#else
+#  include <CGAL/AABB_traits.h>
+#  include <CGAL/AABB_triangle_primitive.h>
+#endif
 
 #include <array>
 #include <memory>
@@ -33,8 +40,13 @@ class Input_surface
 {
   typedef Simple_cartesian<double> Kernel;
   typedef std::vector<Kernel::Triangle_3> Triangles;
+#if CGAL_VERSION_NR >= CGAL_VERSION_NUMBER(6, 0, 0)
+  typedef AABB_triangle_primitive_3<Kernel, Triangles::const_iterator> Primitive;
+  typedef AABB_tree<AABB_traits_3<Kernel, Primitive>> Tree;
+#else
   typedef AABB_triangle_primitive<Kernel, Triangles::const_iterator> Primitive;
   typedef AABB_tree<AABB_traits<Kernel, Primitive>> Tree;
+#endif
 
 public:
   explicit Input_surface(const Working_mesh& mesh)
