@@ -9,9 +9,10 @@
 
 # Functions for the scripts beside this file, which source it.
 
-# install_packages: what the package is built and tested with, by apt-get where something is missing
+# install_packages [MORE...]: what the package is built and tested with and what is named, by apt-get where something is
+# missing
 install_packages() {
-  local wanted=(g++ cmake make ccache libcgal-dev libcgal-demo libeigen3-dev libtbb-dev libcli11-dev nlohmann-json3-dev)
+  local wanted=(g++ cmake make ccache libcgal-dev libcgal-demo libeigen3-dev libtbb-dev libcli11-dev nlohmann-json3-dev "$@")
   local missing=() name
   if ! command -v apt-get > /dev/null; then
     echo "This is no Debian: make sure that the counterparts of these packages are installed: ${wanted[*]}" >&2

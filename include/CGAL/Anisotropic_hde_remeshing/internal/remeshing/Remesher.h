@@ -60,7 +60,7 @@ class Remesher
   static constexpr double feedback = 0.25;
   static constexpr double largest_feedback_ratio = 1.3;
   // contractions that only serve the number of faces may make longer edges while the mesh settles
-  static constexpr double longest_of_settling = 1.5;
+  static constexpr double longest_of_settling = 1.4;
 
 public:
   Remesher(Working_mesh& mesh, const Embedding& embedding, const Projection& projection, const Boundary_curves& boundary,

@@ -36,7 +36,7 @@ namespace internal {
 template <typename ConcurrencyTag, typename Embedding, typename Projection>
 class Vertex_smoother
 {
-  static constexpr double relaxation = 0.7;
+  static constexpr double relaxation = 0.9;
   static constexpr double largest_step = 0.5; // in 3D, of the distance to the nearest neighbour
   static constexpr double negligible_step = 1e-3; // likewise: a vertex that would move less stays
 

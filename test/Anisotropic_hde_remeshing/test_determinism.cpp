@@ -1,0 +1,159 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+// The same mesh, bit by bit: from run to run, for any number of threads, whatever class holds the mesh.
+
+#include "remeshing_checks.h"
+
+#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#  include <tbb/global_control.h>
+#endif
+
+#include <cstddef>
+#include <cstdint>
+#include <iostream>
+#include <string>
+#include <vector>
+
+using namespace shapes;
+using namespace remeshing_checks;
+
+// the bits of values and gradients near the mesh
+template <typename Function>
+std::vector<double> values(const Function& function, const Mesh& mesh)
+{
+  std::vector<double> result;
+  for (const Mesh::Vertex_index v : mesh.vertices())
+  {
+    const auto at_p = function.value_and_gradient(CGAL::midpoint(mesh.point(v), mesh.point(Mesh::Vertex_index(0))));
+    result.insert(result.end(), {at_p.first, at_p.second.x(), at_p.second.y(), at_p.second.z()});
+  }
+  return result;
+}
+
+// the function is built and the mesh remeshed with the same tag
+template <typename Tag>
+std::uint64_t digest_of_rbf_remeshing(const Mesh& input, const double sigma, const std::size_t number_of_faces,
+                                      std::vector<double>& function_values)
+{
+  const CGAL::Rbf_implicit_function<Kernel, CGAL::Polyharmonic_rbf, Tag> function(input);
+  function_values = values(function, input);
+  Mesh mesh = input;
+  CGAL::anisotropic_hde_remeshing<Tag>(
+      mesh, function,
+      CGAL::parameters::sigma(sigma * bounding_box_diagonal(input)).number_of_target_faces(number_of_faces));
+  return digest(mesh);
+}
+
+void test_threads(const std::string& name, const Mesh& input, const double sigma, const std::size_t number_of_faces)
+{
+  std::vector<double> expected_values, function_values;
+  const std::uint64_t expected =
+      digest_of_rbf_remeshing<CGAL::Sequential_tag>(input, sigma, number_of_faces, expected_values);
+  std::cout << name << ": " << std::hex << expected << std::dec << std::endl;
+  CHECK(digest_of_rbf_remeshing<CGAL::Sequential_tag>(input, sigma, number_of_faces, function_values) == expected);
+  CHECK(function_values == expected_values);
+#ifdef CGAL_LINKED_WITH_TBB
+  for (const std::size_t number_of_threads : {1, 2, 4})
+  {
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, number_of_threads);
+    CHECK(digest_of_rbf_remeshing<CGAL::Parallel_tag>(input, sigma, number_of_faces, function_values) == expected);
+    CHECK(function_values == expected_values);
+  }
+#endif
+  // another request must give another mesh, or the digest shows nothing
+  CHECK(digest_of_rbf_remeshing<CGAL::Sequential_tag>(input, 1.01 * sigma, number_of_faces, function_values) != expected);
+}
+
+void test_analytic_function()
+{
+  const auto digest_of = [](const auto tag)
+  {
+    Mesh mesh = torus(60, 20);
+    CGAL::anisotropic_hde_remeshing<decltype(tag)>(mesh, Torus_function(),
+                                                   CGAL::parameters::sigma(0.1).number_of_target_faces(6000));
+    return digest(mesh);
+  };
+  CHECK(digest_of(CGAL::Sequential_tag()) == digest_of(CGAL::Parallel_if_available_tag()));
+}
+
+// Other mesh classes take the same way. A Polyhedron_3 numbers its elements as the copy does.
+void test_mesh_classes()
+{
+  typedef CGAL::Polyhedron_3<Kernel> Polyhedron;
+  Mesh mesh = half_sphere(16);
+  Polyhedron polyhedron;
+  CGAL::copy_face_graph(mesh, polyhedron);
+  const auto np = CGAL::parameters::sigma(0.2).number_of_target_faces(2500);
+  CGAL::anisotropic_hde_remeshing(mesh, Sphere_function(), np);
+  CGAL::anisotropic_hde_remeshing(polyhedron, Sphere_function(), np);
+  CHECK(CGAL::is_valid_polygon_mesh(polyhedron));
+  CHECK(num_faces(polyhedron) == mesh.number_of_faces());
+
+  // the order of vertices around a face may begin elsewhere: compare the points in the order of the vertices
+  std::vector<Point_3> points, points_of_polyhedron;
+  for (const Mesh::Vertex_index v : mesh.vertices())
+    points.push_back(mesh.point(v));
+  for (const auto v : vertices(polyhedron))
+    points_of_polyhedron.push_back(v->point());
+  CHECK(points == points_of_polyhedron);
+}
+
+// the points of the caller may be anywhere; those that the mesh has of its own are left alone
+void test_point_map()
+{
+  Mesh expected = ellipsoid(3);
+  Mesh mesh = expected;
+  auto positions = mesh.add_property_map<Mesh::Vertex_index, Point_3>("v:position").first;
+  for (const Mesh::Vertex_index v : mesh.vertices())
+  {
+    positions[v] = mesh.point(v);
+    mesh.point(v) = Point_3(7, 7, 7);
+  }
+  const auto np = CGAL::parameters::sigma(0.5).number_of_target_faces(1000);
+  CGAL::anisotropic_hde_remeshing(expected, Ellipsoid_function(), np);
+  CGAL::anisotropic_hde_remeshing(mesh, Ellipsoid_function(),
+                                  CGAL::parameters::sigma(0.5).number_of_target_faces(1000).vertex_point_map(positions));
+  CHECK(mesh.number_of_vertices() == expected.number_of_vertices());
+  bool is_same = true;
+  for (const Mesh::Vertex_index v : expected.vertices())
+    is_same = is_same && positions[v] == expected.point(v);
+  CHECK(is_same);
+  for (const Mesh::Vertex_index v : mesh.vertices())
+    mesh.point(v) = positions[v];
+  CHECK(digest(mesh) == digest(expected));
+}
+
+// the call that builds the function itself gives what the two steps give
+void test_one_call()
+{
+  Mesh mesh = ellipsoid(3), expected = mesh;
+  const auto np = CGAL::parameters::sigma(0.5).number_of_target_faces(2000).patch_overlap(2);
+  CGAL::anisotropic_hde_remeshing<CGAL::Parallel_if_available_tag>(mesh, np);
+  const CGAL::Rbf_implicit_function<Kernel> function(expected, np);
+  CGAL::anisotropic_hde_remeshing<CGAL::Parallel_if_available_tag>(expected, function, np);
+  CHECK(digest(mesh) == digest(expected));
+}
+
+int main()
+{
+  test_threads("ellipsoid", ellipsoid(4), 0.15, 6000);
+  test_threads("half sphere", half_sphere(20), 0.1, 4000);
+  Mesh elephant;
+  if (CHECK(CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(CGAL::data_file_path("meshes/elephant.off"), elephant)))
+    test_threads("elephant", elephant, 0.01, 8000);
+  test_analytic_function();
+  test_mesh_classes();
+  test_point_map();
+  test_one_call();
+  return check_summary();
+}
