@@ -9,11 +9,14 @@
 
 # Functions for the scripts beside this file, which source it.
 
-# install_packages [MORE...]: what the package is built and tested with and what is named, by apt-get where something is
-# missing
+# install_packages: what the package is built and tested with
 install_packages() {
-  local wanted=(g++ cmake make ccache libcgal-dev libcgal-demo libeigen3-dev libtbb-dev libcli11-dev nlohmann-json3-dev "$@")
-  local missing=() name
+  install_missing g++ cmake make ccache libcgal-dev libcgal-demo libeigen3-dev libtbb-dev libcli11-dev nlohmann-json3-dev
+}
+
+# install_missing NAME...: those of the packages that are not there, by apt-get
+install_missing() {
+  local wanted=("$@") missing=() name
   if ! command -v apt-get > /dev/null; then
     echo "This is no Debian: make sure that the counterparts of these packages are installed: ${wanted[*]}" >&2
     return

@@ -37,7 +37,8 @@ render() {
     --output "$2" "$1"
 }
 
-install_packages f3d xvfb xauth imagemagick
+install_packages
+install_missing f3d xvfb xauth imagemagick
 unpack_cgal_data "$build_dir"
 cmake -Wno-dev -S . -B "$build_dir" -DCMAKE_BUILD_TYPE=Release -DCGAL_AHR_NATIVE=ON -DBUILD_TESTING=OFF
 cmake --build "$build_dir" --target hde_remesh -j "${JOBS:-2}"
@@ -51,7 +52,7 @@ to_obj "$bunny" > "$work_dir/before.obj"
 
 for mesh in before after; do
   render "$work_dir/$mesh.obj" "$work_dir/$mesh-whole.png" 1400,1200 0,-0.01,3.1 0,-0.01,0 21
-  render "$work_dir/$mesh.obj" "$work_dir/$mesh-ears.png" 1400,1000 2.2,2.2,1.2 -0.09,0.34,0 7.5
+  render "$work_dir/$mesh.obj" "$work_dir/$mesh-ears.png" 1400,1000 2.2,2.2,1.2 -0.06,0.36,0 8
 done
 mkdir -p "$picture_dir"
 convert \( "$work_dir/before-whole.png" "$work_dir/after-whole.png" +append \) \

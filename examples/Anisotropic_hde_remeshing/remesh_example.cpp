@@ -26,8 +26,8 @@ int main(int argc, char* argv[])
   if (!CGAL::IO::read_polygon_mesh(input, mesh))
     return std::cerr << "Cannot read " << input << std::endl, 1;
 
-  CGAL::anisotropic_hde_remeshing<CGAL::Parallel_if_available_tag>(
-      mesh, CGAL::parameters::number_of_target_faces(20000));
+  const auto parameters = CGAL::parameters::number_of_target_faces(20000);
+  CGAL::anisotropic_hde_remeshing<CGAL::Parallel_if_available_tag>(mesh, parameters);
 
   std::cout << mesh.number_of_faces() << " faces, written to remeshed.off" << std::endl;
   return CGAL::IO::write_polygon_mesh("remeshed.off", mesh, CGAL::parameters::stream_precision(17)) ? 0 : 1;

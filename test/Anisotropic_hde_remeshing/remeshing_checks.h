@@ -71,8 +71,8 @@ void check_quality(const TriangleMesh& mesh, const Function& function, const Hde
   const Hde::Embedding_measures measures = Hde::measure_embedding(
       mesh, function, CGAL::parameters::sigma(result.sigma).target_edge_length(result.target_edge_length));
   std::cout << "  lengths " << measures.share_within_sqrt_2 << ", mean/l "
-            << measures.edge_length_mean / result.target_edge_length << ", angle " << measures.minimum_angle_mean << " / "
-            << measures.minimum_angle_least << std::endl;
+            << measures.edge_length_mean / result.target_edge_length << ", angle " << measures.minimum_angle_mean
+            << " / " << measures.minimum_angle_least << std::endl;
   CHECK(measures.share_within_sqrt_2 >= bounds.least_share_of_lengths);
   CHECK(measures.minimum_angle_mean >= bounds.least_mean_angle);
   CHECK_CLOSE(measures.edge_length_mean, result.target_edge_length, 0.1 * result.target_edge_length);

@@ -234,7 +234,8 @@ inline Mesh torus(const std::size_t around, const std::size_t across, const Toru
       const double radius = f.large_radius + f.small_radius * std::cos(v);
       soup.points.emplace_back(radius * std::cos(u), radius * std::sin(u), f.small_radius * std::sin(v));
       const std::size_t next_i = (i + 1) % around, next_j = (j + 1) % across;
-      const std::size_t a = i * across + j, b = next_i * across + j, c = next_i * across + next_j, d = i * across + next_j;
+      const std::size_t a = i * across + j, b = next_i * across + j, c = next_i * across + next_j,
+                        d = i * across + next_j;
       soup.triangles.push_back({a, b, c});
       soup.triangles.push_back({a, c, d});
     }
@@ -264,7 +265,7 @@ inline Mesh cylinder(const std::size_t around, const std::size_t along, const do
 
 // the upper half of the unit sphere: rings of 6, 12, 18, ... vertices about the pole, the last of them the boundary;
 // 6 * rings^2 faces
-inline Mesh half_sphere(const std::size_t rings)
+inline Soup half_sphere_soup(const std::size_t rings)
 {
   Soup soup;
   soup.points.emplace_back(0, 0, 1);
@@ -288,7 +289,12 @@ inline Mesh half_sphere(const std::size_t rings)
           soup.triangles.push_back({index(ring - 1, inner), index(ring, outer + 1), index(ring - 1, inner + 1)});
       }
   }
-  return to_mesh(soup);
+  return soup;
+}
+
+inline Mesh half_sphere(const std::size_t rings)
+{
+  return to_mesh(half_sphere_soup(rings));
 }
 
 // a hilly landscape over the square [0,2]^2, looking up: one boundary curve with four corners, 2 * n^2 faces
@@ -320,8 +326,8 @@ double bounding_box_diagonal(const TriangleMesh& mesh)
   const auto vpm = get(CGAL::vertex_point, mesh);
   for (const auto v : vertices(mesh))
     box += get(vpm, v).bbox();
-  return std::sqrt(CGAL::squared_distance(Point_3(box.xmin(), box.ymin(), box.zmin()),
-                                          Point_3(box.xmax(), box.ymax(), box.zmax())));
+  return std::sqrt(
+      CGAL::squared_distance(Point_3(box.xmin(), box.ymin(), box.zmin()), Point_3(box.xmax(), box.ymax(), box.zmax())));
 }
 
 // `n` points spread evenly over the unit sphere, at no vertex of an icosphere
@@ -352,7 +358,10 @@ std::string invalid_argument_message(const Call& call)
   return std::string();
 }
 
-inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+inline bool contains(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
 
 } // namespace shapes
 

@@ -12,7 +12,6 @@
 
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Polyhedron_3.h>
-#include <CGAL/boost/graph/copy_face_graph.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #  include <tbb/global_control.h>
@@ -71,7 +70,8 @@ void test_threads(const std::string& name, const Mesh& input, const double sigma
   }
 #endif
   // another request must give another mesh, or the digest shows nothing
-  CHECK(digest_of_rbf_remeshing<CGAL::Sequential_tag>(input, 1.01 * sigma, number_of_faces, function_values) != expected);
+  CHECK(digest_of_rbf_remeshing<CGAL::Sequential_tag>(input, 1.01 * sigma, number_of_faces, function_values) !=
+        expected);
 }
 
 void test_analytic_function()
@@ -86,26 +86,20 @@ void test_analytic_function()
   CHECK(digest_of(CGAL::Sequential_tag()) == digest_of(CGAL::Parallel_if_available_tag()));
 }
 
-// Other mesh classes take the same way. A Polyhedron_3 numbers its elements as the copy does.
-void test_mesh_classes()
+// Other mesh classes take the same way, given the same order of the elements, which a mesh built from the same soup has.
+template <typename Function>
+void test_polyhedron(const Soup& soup, const Function& function)
 {
   typedef CGAL::Polyhedron_3<Kernel> Polyhedron;
-  Mesh mesh = half_sphere(16);
-  Polyhedron polyhedron;
-  CGAL::copy_face_graph(mesh, polyhedron);
+  Mesh mesh = to_mesh(soup);
+  Polyhedron polyhedron = to_mesh<Polyhedron>(soup);
+  if (!CHECK(digest(polyhedron) == digest(mesh)))
+    return;
   const auto np = CGAL::parameters::sigma(0.2).number_of_target_faces(2500);
-  CGAL::anisotropic_hde_remeshing(mesh, Sphere_function(), np);
-  CGAL::anisotropic_hde_remeshing(polyhedron, Sphere_function(), np);
+  CGAL::anisotropic_hde_remeshing(mesh, function, np);
+  CGAL::anisotropic_hde_remeshing(polyhedron, function, np);
   CHECK(CGAL::is_valid_polygon_mesh(polyhedron));
-  CHECK(num_faces(polyhedron) == mesh.number_of_faces());
-
-  // the order of vertices around a face may begin elsewhere: compare the points in the order of the vertices
-  std::vector<Point_3> points, points_of_polyhedron;
-  for (const Mesh::Vertex_index v : mesh.vertices())
-    points.push_back(mesh.point(v));
-  for (const auto v : vertices(polyhedron))
-    points_of_polyhedron.push_back(v->point());
-  CHECK(points == points_of_polyhedron);
+  CHECK(digest(polyhedron) == digest(mesh));
 }
 
 // the points of the caller may be anywhere; those that the mesh has of its own are left alone
@@ -121,8 +115,9 @@ void test_point_map()
   }
   const auto np = CGAL::parameters::sigma(0.5).number_of_target_faces(1000);
   CGAL::anisotropic_hde_remeshing(expected, Ellipsoid_function(), np);
-  CGAL::anisotropic_hde_remeshing(mesh, Ellipsoid_function(),
-                                  CGAL::parameters::sigma(0.5).number_of_target_faces(1000).vertex_point_map(positions));
+  CGAL::anisotropic_hde_remeshing(
+      mesh, Ellipsoid_function(),
+      CGAL::parameters::sigma(0.5).number_of_target_faces(1000).vertex_point_map(positions));
   CHECK(mesh.number_of_vertices() == expected.number_of_vertices());
   bool is_same = true;
   for (const Mesh::Vertex_index v : expected.vertices())
@@ -149,10 +144,12 @@ int main()
   test_threads("ellipsoid", ellipsoid(4), 0.15, 6000);
   test_threads("half sphere", half_sphere(20), 0.1, 4000);
   Mesh elephant;
-  if (CHECK(CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(CGAL::data_file_path("meshes/elephant.off"), elephant)))
+  if (CHECK(
+          CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(CGAL::data_file_path("meshes/elephant.off"), elephant)))
     test_threads("elephant", elephant, 0.01, 8000);
   test_analytic_function();
-  test_mesh_classes();
+  test_polyhedron(scaled(icosphere_soup(3), 1, 2, 5), Ellipsoid_function());
+  test_polyhedron(half_sphere_soup(16), Sphere_function());
   test_point_map();
   test_one_call();
   return check_summary();

@@ -11,8 +11,8 @@
 #include "check.h"
 #include "shapes.h"
 
-#include <CGAL/Rbf_implicit_function.h>
 #include <CGAL/Random.h>
+#include <CGAL/Rbf_implicit_function.h>
 
 #include <Eigen/Dense>
 

@@ -83,8 +83,9 @@ void test_points_with_normals()
     positions.push_back(p.first);
     normals.push_back(17 * p.second); // of any length
   }
-  const Function from_indices(indices, CGAL::parameters::point_map(CGAL::make_property_map(positions))
-                                           .normal_map(CGAL::make_property_map(normals)));
+  const Function from_indices(
+      indices,
+      CGAL::parameters::point_map(CGAL::make_property_map(positions)).normal_map(CGAL::make_property_map(normals)));
   CHECK(largest_difference(from_points, from_indices) < 1e-9);
 }
 

@@ -29,8 +29,8 @@ typedef CGAL::Parallel_if_available_tag Tag;
 
 // `sigmas` are fractions of the diagonal
 template <typename Function>
-void test_surface(const char* name, const Mesh& input, const Function& function, const std::initializer_list<double> sigmas,
-                  const std::initializer_list<std::size_t> numbers_of_faces)
+void test_surface(const char* name, const Mesh& input, const Function& function,
+                  const std::initializer_list<double> sigmas, const std::initializer_list<std::size_t> numbers_of_faces)
 {
   for (const double sigma : sigmas)
     for (const std::size_t number_of_faces : numbers_of_faces)
@@ -109,16 +109,16 @@ void test_scheme_of_the_paper()
   for (const std::size_t number_of_faces : {2000, 8000})
   {
     Mesh mesh = input;
-    const Hde::Remeshing_result result = CGAL::anisotropic_hde_remeshing<Tag>(
-        mesh, Ellipsoid_function(),
-        CGAL::parameters::remeshing_scheme(Hde::Remeshing_scheme::PAPER)
-            .sigma(0.05 * bounding_box_diagonal(input))
-            .number_of_target_faces(number_of_faces));
+    const Hde::Remeshing_result result =
+        CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(),
+                                             CGAL::parameters::remeshing_scheme(Hde::Remeshing_scheme::PAPER)
+                                                 .sigma(0.05 * bounding_box_diagonal(input))
+                                                 .number_of_target_faces(number_of_faces));
     check_validity("scheme of the paper", input, mesh, Ellipsoid_function());
     CHECK(result.number_of_iterations == 10);
-    const Hde::Embedding_measures measures = Hde::measure_embedding(
-        mesh, Ellipsoid_function(),
-        CGAL::parameters::sigma(result.sigma).target_edge_length(result.target_edge_length));
+    const Hde::Embedding_measures measures =
+        Hde::measure_embedding(mesh, Ellipsoid_function(),
+                               CGAL::parameters::sigma(result.sigma).target_edge_length(result.target_edge_length));
     std::cout << "  within [.5, 1.5]: " << measures.share_within_half << ", angle " << measures.minimum_angle_mean
               << std::endl;
     CHECK(measures.share_within_half >= 0.99);

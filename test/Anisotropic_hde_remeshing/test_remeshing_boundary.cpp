@@ -138,8 +138,8 @@ void test_scan()
     return;
   const CGAL::Rbf_implicit_function<Kernel> function(input);
   Mesh mesh = input;
-  const Hde::Remeshing_result result = CGAL::anisotropic_hde_remeshing<Tag>(
-      mesh, function, CGAL::parameters::number_of_target_faces(12000));
+  const Hde::Remeshing_result result =
+      CGAL::anisotropic_hde_remeshing<Tag>(mesh, function, CGAL::parameters::number_of_target_faces(12000));
   check_validity("lion head", input, mesh, function);
   check_number_of_faces(mesh, 12000);
   check_quality(mesh, function, result);
@@ -166,11 +166,13 @@ void test_tiny_meshes()
     check_boundary(triangle, mesh, 1e-12);
   }
   Mesh open_tetrahedron;
-  CGAL::make_tetrahedron(Point_3(1, 1, 1), Point_3(-1, -1, 1), Point_3(-1, 1, -1), Point_3(1, -1, -1), open_tetrahedron);
+  CGAL::make_tetrahedron(Point_3(1, 1, 1), Point_3(-1, -1, 1), Point_3(-1, 1, -1), Point_3(1, -1, -1),
+                         open_tetrahedron);
   CGAL::Euler::remove_face(halfedge(*faces(open_tetrahedron).begin(), open_tetrahedron), open_tetrahedron);
   open_tetrahedron.collect_garbage();
   Mesh mesh = open_tetrahedron;
-  CGAL::anisotropic_hde_remeshing<Tag>(mesh, Sphere_function{std::sqrt(3.)}, CGAL::parameters::number_of_target_faces(500));
+  CGAL::anisotropic_hde_remeshing<Tag>(mesh, Sphere_function{std::sqrt(3.)},
+                                       CGAL::parameters::number_of_target_faces(500));
   CHECK(CGAL::is_valid_polygon_mesh(mesh));
   CHECK(Hde::measure_topology(mesh).euler_characteristic == 1);
   check_boundary(open_tetrahedron, mesh, 1e-12);

@@ -164,7 +164,8 @@ void test_visitor()
   const Mesh input = ellipsoid(3);
   Record record;
   Mesh mesh = input;
-  CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(), CGAL::parameters::visitor(Recording_visitor(record)));
+  CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(),
+                                       CGAL::parameters::visitor(Recording_visitor(record)));
   check_record(record, true);
   CHECK(record.stages == std::vector<Hde::Stage>({Hde::Stage::PROJECTION, Hde::Stage::REMESHING, Hde::Stage::OUTPUT}));
   CHECK(record.shares.size() >= 10);
@@ -193,8 +194,7 @@ void test_stopping()
     visitor.largest_number_of_questions = questions;
     Mesh mesh = input;
     const Hde::Remeshing_result result = CGAL::anisotropic_hde_remeshing<Tag>(
-        mesh, Ellipsoid_function(),
-        CGAL::parameters::visitor(visitor).sigma(1).number_of_target_faces(4000));
+        mesh, Ellipsoid_function(), CGAL::parameters::visitor(visitor).sigma(1).number_of_target_faces(4000));
     CHECK(result.was_stopped);
     CHECK(record.questions <= questions + 1); // asked no more after the answer
     check_record(record, false);
@@ -234,7 +234,8 @@ void test_throwing_visitor()
   std::size_t all = 0;
   {
     Mesh mesh = input;
-    CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(), CGAL::parameters::visitor(Throwing_visitor(all, 0)));
+    CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(),
+                                         CGAL::parameters::visitor(Throwing_visitor(all, 0)));
   }
   CHECK(all > 20);
   // at the first calls, some in the middle, the last ones

@@ -24,7 +24,9 @@ f(x) \cdot h + o(|h|) \f$. The value need not be a distance and the gradient nee
 \f$ f \f$ is multiplied by a positive number.
 
 <b>Smoothness.</b> In the neighbourhood of the surface that contains the mesh, \f$ f \f$ is continuously differentiable and
-its gradient does not vanish. Elsewhere, values that are not finite are allowed; a point is not moved there.
+its gradient does not vanish. Where a value is not finite, the gradient vanishes or no zero is found near a point, the
+remeshing takes the closest point of the input mesh with its interpolated normal, and counts it in
+`CGAL::Anisotropic_hde_remeshing::Projection_counters`.
 
 <b>Thread safety.</b> All members below may be called from several threads at once on one object, unless the algorithm runs
 with `CGAL::Sequential_tag`. They return the same result for the same point at every call.

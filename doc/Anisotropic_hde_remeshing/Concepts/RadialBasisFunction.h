@@ -61,9 +61,10 @@ public:
   Both must be finite at \f$ r = 0 \f$. There `value` is \f$ \phi(0) \f$; `derivative_over_radius` is multiplied by the zero
   vector, so that any finite number serves where the limit is infinite.
 
-  `T` is `double` or a fixed-size array of the library Eigen, `Eigen::Array<double, n, 1>`, whose elements are computed one
+  `T` is `double`, `Eigen::ArrayXd` or an array of fixed size, `Eigen::Array<double, n, 1>`, whose elements are computed one
   by one: the body uses arithmetic operators and functions such as `sqrt` found by argument-dependent lookup (after
-  `using std::sqrt;`), no branches on the values. The output parameters do not alias the input.
+  `using std::sqrt;`), and does not branch on the values. `value` and `derivative_over_radius` are no aliases of
+  `squared_radius` and have its size.
   */
   template <class T>
   void operator()(const T& squared_radius, T& value, T& derivative_over_radius) const;

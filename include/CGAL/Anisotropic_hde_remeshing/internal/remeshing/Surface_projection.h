@@ -56,6 +56,15 @@ public:
     project(state, trust_radius, good_distance);
   }
 
+  // The same by Newton's method only: if it does not find the surface, `state` is unchanged and the result is false.
+  bool find_roughly(Vertex_state& state, const double trust_radius, const double good_distance) const
+  {
+    if (!newton(state, trust_radius, good_distance))
+      return false;
+    m_number_by_newton.fetch_add(1, std::memory_order_relaxed);
+    return true;
+  }
+
   // the normal at a point that stays where it is: on the polyline of a boundary
   void update_normal(Vertex_state& state) const
   {

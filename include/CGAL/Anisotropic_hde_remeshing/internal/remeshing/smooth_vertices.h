@@ -38,6 +38,7 @@ class Vertex_smoother
 {
   static constexpr double relaxation = 0.9;
   static constexpr double largest_step = 0.5; // in 3D, of the distance to the nearest neighbour
+  static constexpr int number_of_attempts = 3;
   static constexpr double negligible_step = 1e-3; // likewise: a vertex that would move less stays
 
 public:
@@ -158,10 +159,18 @@ private:
       return false;
     if (length > largest_step * radius)
       step *= largest_step * radius / length;
-    // the surface is an osculating paraboloid up to third order
-    state.point += frame * step - 0.5 * step.dot(shape_operator * step) * state.normal;
-    m_projection.project_roughly(state, radius, 0.02 * radius);
-    return true;
+    // where the surface bends too much for the step, a shorter one may lead to it; a vertex that finds none stays
+    for (int attempt = 0; attempt < number_of_attempts; ++attempt, step *= 0.5)
+    {
+      Vertex_state moved = state;
+      // the surface is an osculating paraboloid up to third order
+      moved.point += frame * step - 0.5 * step.dot(shape_operator * step) * state.normal;
+      if (!m_projection.find_roughly(moved, radius, 0.02 * radius))
+        continue;
+      state = moved;
+      return true;
+    }
+    return false;
   }
 
   // what a vertex sees of its neighbours

@@ -1,0 +1,315 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+// Remeshes one mesh and prints what has come out, and how long it took:
+//
+//   benchmark_remeshing MESH FACES SIGMA [--iso] [--runs N]
+//
+// MESH       a file (OFF, OBJ, PLY, STL), remeshed through its RBF; or `ellipsoid`: an icosphere of level 6 scaled by 1, 2
+//            and 5, remeshed with its exact function and compared with the exact surface
+// FACES      the number of faces wanted; with a percent sign, in percent of those of the input
+// SIGMA      sigma as a fraction of the diagonal of the bounding box
+// --iso      in turn with CGAL's isotropic_remeshing (10 iterations, the same number of faces); prints the ratio of times
+// --runs N   how often to run; times are medians (default: 1, with --iso 3)
+
+#include "shapes.h"
+
+#include <CGAL/Anisotropic_hde_remeshing/distance_measures.h>
+#include <CGAL/Anisotropic_hde_remeshing/quality_measures.h>
+#include <CGAL/Anisotropic_hde_remeshing/zero_set_measures.h>
+#include <CGAL/Rbf_implicit_function.h>
+#include <CGAL/anisotropic_hde_remeshing.h>
+
+#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#include <CGAL/Polygon_mesh_processing/remesh.h>
+#include <CGAL/Polygon_mesh_processing/repair.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Real_timer.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace shapes;
+
+namespace Hde = CGAL::Anisotropic_hde_remeshing;
+namespace PMP = CGAL::Polygon_mesh_processing;
+
+typedef CGAL::Parallel_if_available_tag Tag;
+typedef CGAL::Rbf_implicit_function<Kernel> Rbf_function;
+
+struct Options
+{
+  std::string mesh;
+  std::string faces;
+  double sigma = 0; // over the diagonal
+  bool with_isotropic_remeshing = false;
+  int number_of_runs = 0;
+};
+
+Options parse(const std::vector<std::string>& arguments)
+{
+  Options options;
+  std::vector<std::string> positional;
+  for (std::size_t i = 0; i < arguments.size(); ++i)
+    if (arguments[i] == "--iso")
+      options.with_isotropic_remeshing = true;
+    else if (arguments[i] == "--runs" && i + 1 < arguments.size())
+      options.number_of_runs = std::stoi(arguments[++i]);
+    else
+      positional.push_back(arguments[i]);
+  if (positional.size() != 3)
+    throw std::invalid_argument("usage: benchmark_remeshing MESH|ellipsoid FACES[%] SIGMA [--iso] [--runs N]");
+  options.mesh = positional[0];
+  options.faces = positional[1];
+  options.sigma = std::stod(positional[2]);
+  if (options.number_of_runs < 1)
+    options.number_of_runs = options.with_isotropic_remeshing ? 3 : 1;
+  return options;
+}
+
+std::size_t number_of_faces(const Options& options, const Mesh& input)
+{
+  const double number = std::stod(options.faces);
+  return std::size_t(std::lround(options.faces.back() == '%' ? 0.01 * number * input.number_of_faces() : number));
+}
+
+double median(std::vector<double> values)
+{
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+template <typename Call>
+double seconds_of(const Call& call)
+{
+  CGAL::Real_timer timer;
+  timer.start();
+  call();
+  return timer.time();
+}
+
+// The signed distance to the ellipsoid, exactly: the closest point of p is (a^2 x / (a^2 + t), ...) for the root t of
+// (a x / (a^2 + t))^2 + ... = 1, to which Newton's method comes down monotonically from a t where the left side is larger.
+struct Ellipsoid_distance
+{
+  typedef Kernel::FT FT;
+  typedef shapes::Point_3 Point_3;
+  typedef shapes::Vector_3 Vector_3;
+
+  Ellipsoid_function ellipsoid;
+
+  std::pair<FT, Vector_3> value_and_gradient(const Point_3& p) const
+  {
+    const std::array<double, 3> axes{ellipsoid.a, ellipsoid.b, ellipsoid.c};
+    double t = -1e300;
+    for (int i = 0; i < 3; ++i)
+      t = (std::max)(t, axes[i] * (std::abs(p[i]) - axes[i]));
+    for (int step = 0; step < 100; ++step)
+    {
+      double value = -1, slope = 0;
+      for (int i = 0; i < 3; ++i)
+      {
+        const double s = axes[i] * axes[i] + t, quotient = axes[i] * p[i] / s;
+        value += quotient * quotient;
+        slope -= 2 * quotient * quotient / s;
+      }
+      const double last = t;
+      t -= value / slope;
+      if (!(std::abs(t - last) > 1e-15))
+        break;
+    }
+    std::array<double, 3> q;
+    for (int i = 0; i < 3; ++i)
+      q[i] = axes[i] * axes[i] * p[i] / (axes[i] * axes[i] + t);
+    const Point_3 closest(q[0], q[1], q[2]);
+    const Vector_3 gradient = ellipsoid.gradient(closest);
+    const double distance = std::sqrt(CGAL::squared_distance(p, closest));
+    return {t < 0 ? -distance : distance, gradient / std::sqrt(gradient.squared_length())};
+  }
+  FT operator()(const Point_3& p) const { return value_and_gradient(p).first; }
+  Vector_3 gradient(const Point_3& p) const { return value_and_gradient(p).second; }
+};
+
+// root mean square, over the area, of the angle between the faces and the exact normals at points of them, in degrees
+double normal_deviation(const Mesh& mesh, const Ellipsoid_distance& exact)
+{
+  static constexpr int n = 6; // points at the centres of the upright small triangles of each face cut n times
+  double sum = 0, area = 0;
+  for (const Mesh::Face_index f : mesh.faces())
+  {
+    const Mesh::Halfedge_index h = mesh.halfedge(f);
+    const Point_3 &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h)),
+                  &r = mesh.point(mesh.target(mesh.next(h)));
+    const Vector_3 product = CGAL::cross_product(q - p, r - p);
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; i + j < n; ++j)
+      {
+        const Vector_3 normal = exact.gradient(p + (i + 1. / 3) / n * (q - p) + (j + 1. / 3) / n * (r - p));
+        const double angle =
+            std::atan2(std::sqrt(CGAL::cross_product(normal, product).squared_length()), normal * product);
+        sum += std::sqrt(product.squared_length()) * angle * angle;
+        area += std::sqrt(product.squared_length());
+      }
+  }
+  return std::sqrt(sum / area) * 180 / pi;
+}
+
+// --- isotropic_remeshing of CGAL, the yardstick for the time ---
+
+Mesh isotropically_remeshed(const Mesh& input, const double length)
+{
+  Mesh mesh = input;
+  PMP::isotropic_remeshing(faces(mesh), length, mesh, CGAL::parameters::number_of_iterations(10));
+  return mesh;
+}
+
+// the edge length that gives the number of faces within 2%
+double isotropic_length(const Mesh& input, const std::size_t wanted)
+{
+  double area = 0;
+  for (const Mesh::Face_index f : input.faces())
+    area += PMP::face_area(f, input);
+  double length = std::sqrt(area / double(wanted) * 4 / std::sqrt(3.));
+  for (int attempt = 0; attempt < 12; ++attempt)
+  {
+    const double ratio = double(isotropically_remeshed(input, length).number_of_faces()) / double(wanted);
+    if (std::abs(ratio - 1) <= 0.02)
+      return length;
+    length *= std::sqrt(ratio);
+  }
+  std::cerr << "isotropic_remeshing does not come within 2% of the number of faces" << std::endl;
+  return length;
+}
+
+// --- The figures ---
+
+void print_figures(const Mesh& input, const Mesh& mesh, const std::size_t wanted, const Hde::Remeshing_result& result)
+{
+  const Hde::Topology_measures before = Hde::measure_topology(input), after = Hde::measure_topology(mesh);
+  std::vector<std::pair<Mesh::Face_index, Mesh::Face_index>> intersections;
+  PMP::self_intersections(mesh, std::back_inserter(intersections));
+  std::cout << " faces=" << after.number_of_faces << " vertices=" << after.number_of_vertices
+            << " count_error=" << 100 * (double(after.number_of_faces) / double(wanted) - 1) << "%"
+            << " self_intersections=" << intersections.size() << " loops=" << before.number_of_boundary_loops << "->"
+            << after.number_of_boundary_loops << " euler=" << before.euler_characteristic << "->"
+            << after.euler_characteristic << " components=" << before.number_of_components << "->"
+            << after.number_of_components << " valence_6=" << after.valence_6_share
+            << " splits=" << result.number_of_splits << " collapses=" << result.number_of_collapses
+            << " flips=" << result.number_of_flips << " projections=" << result.projections.newton << "/"
+            << result.projections.bisection << "/" << result.projections.closest_point;
+}
+
+template <typename Function>
+void print_figures_of_embedding(const Mesh& input, const Mesh& mesh, const Function& function,
+                                const Hde::Remeshing_result& result)
+{
+  const double diagonal = bounding_box_diagonal(input);
+  const Hde::Embedding_measures embedding = Hde::measure_embedding<Tag>(
+      mesh, function, CGAL::parameters::sigma(result.sigma).target_edge_length(result.target_edge_length));
+  const Hde::Shape_measures shape = Hde::measure_shape(mesh);
+  const Hde::Zero_set_measures distance = Hde::measure_distance_to_zero_set<Tag>(mesh, function);
+  std::cout << " folds=" << embedding.number_of_folded_faces
+            << " lengths[.7,1.41]=" << 100 * embedding.share_within_sqrt_2
+            << "% lengths[.5,1.5]=" << 100 * embedding.share_within_half
+            << "% mean_angle=" << embedding.minimum_angle_mean << " least_angle=" << embedding.minimum_angle_least
+            << " q_mean=" << shape.aspect_ratio_mean << " q_p99=" << shape.aspect_ratio_p99
+            << " q_Gamma=" << shape.aspect_ratio_max << " vertex/D=" << distance.interior_vertex_max / diagonal
+            << " boundary_vertex/D=" << distance.boundary_vertex_max / diagonal
+            << " face_rms/D=" << distance.face_rms / diagonal << " face_max/D=" << distance.face_max / diagonal;
+}
+
+// both ways: exactly from the faces, and from a mesh so fine that it counts as the surface
+void print_distance_to_ellipsoid(const Mesh& mesh)
+{
+  const Ellipsoid_distance exact;
+  const Mesh fine = ellipsoid(7);
+  const double diagonal = bounding_box_diagonal(fine);
+  const Hde::Zero_set_measures from_faces = Hde::measure_distance_to_zero_set<Tag>(mesh, exact);
+  const Hde::Distance_measures both = Hde::measure_distance<Tag>(fine, mesh);
+  std::cout << " exact_rms/D=" << (std::max)(from_faces.face_rms, both.rms_from_first) / diagonal
+            << " exact_max/D=" << (std::max)(from_faces.face_max, both.max_from_first) / diagonal
+            << " normals=" << normal_deviation(mesh, exact);
+}
+
+// `build` returns the function; its time counts
+template <typename Build>
+void run(const Options& options, const Mesh& input, const Build& build)
+{
+  const std::size_t wanted = number_of_faces(options, input);
+  const double sigma = options.sigma * bounding_box_diagonal(input);
+  const double length = options.with_isotropic_remeshing ? isotropic_length(input, wanted) : 0;
+  std::vector<double> function_seconds, remeshing_seconds, isotropic_seconds;
+  Mesh mesh;
+  Hde::Remeshing_result result;
+  for (int i = 0; i < options.number_of_runs; ++i)
+  {
+    mesh = input;
+    CGAL::Real_timer timer;
+    timer.start();
+    const auto function = build();
+    function_seconds.push_back(timer.time());
+    remeshing_seconds.push_back(seconds_of(
+        [&]
+        {
+          result = CGAL::anisotropic_hde_remeshing<Tag>(mesh, function,
+                                                        CGAL::parameters::sigma(sigma).number_of_target_faces(wanted));
+        }));
+    if (options.with_isotropic_remeshing)
+      isotropic_seconds.push_back(seconds_of([&] { isotropically_remeshed(input, length); }));
+  }
+
+  std::cout << options.mesh << " (" << input.number_of_faces() << " faces) to " << wanted << ", sigma " << options.sigma
+            << " D:";
+  print_figures(input, mesh, wanted, result);
+  print_figures_of_embedding(input, mesh, build(), result);
+  if (options.mesh == "ellipsoid")
+    print_distance_to_ellipsoid(mesh);
+  const double rbf = median(function_seconds), remeshing = median(remeshing_seconds);
+  std::cout << " seconds=" << rbf << "+" << remeshing;
+  if (options.with_isotropic_remeshing)
+  {
+    const double isotropic = median(isotropic_seconds);
+    std::cout << " iso_seconds=" << isotropic << " ratio=" << (rbf + remeshing) / isotropic;
+  }
+  std::cout << std::endl;
+}
+
+int main(int argc, char* argv[])
+{
+  try
+  {
+    const Options options = parse(std::vector<std::string>(argv + 1, argv + argc));
+    if (options.mesh == "ellipsoid")
+    {
+      run(options, ellipsoid(6), [] { return Ellipsoid_function(); });
+      return EXIT_SUCCESS;
+    }
+    Mesh input;
+    if (!PMP::IO::read_polygon_mesh(options.mesh, input))
+      throw std::invalid_argument("cannot read " + options.mesh);
+    PMP::remove_isolated_vertices(input); // isotropic_remeshing would keep them
+    input.collect_garbage();
+    run(options, input, [&input] { return Rbf_function(input); });
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << error.what() << std::endl;
+    return EXIT_FAILURE;
+  }
+  return EXIT_SUCCESS;
+}
