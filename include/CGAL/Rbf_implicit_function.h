@@ -25,7 +25,6 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
-#include <iterator>
 #include <memory>
 #include <stdexcept>
 #include <type_traits>
@@ -63,11 +62,12 @@ class Rbf_implicit_function
   typedef Anisotropic_hde_remeshing::internal::Surface_sample Surface_sample;
   typedef Anisotropic_hde_remeshing::internal::Value_and_gradient Value_and_gradient;
 
+  // boost::graph_traits of a type that is no graph is a hard error: a range is told by its iterator
   template <typename T, typename = void>
-  struct Is_face_graph : std::false_type
+  struct Is_range : std::false_type
   {};
   template <typename T>
-  struct Is_face_graph<T, std::void_t<typename boost::graph_traits<T>::halfedge_descriptor>> : std::true_type
+  struct Is_range<T, std::void_t<typename T::const_iterator>> : std::true_type
   {};
 
 public:
@@ -133,7 +133,7 @@ public:
     const auto parameters = interpolation_parameters(np);
     const RadialFunction function =
         parameters::choose_parameter(parameters::get_parameter(np, internal_np::radial_function), RadialFunction());
-    const Surface_sample sample = sample_input(input, np, Is_face_graph<MeshOrPointRange>());
+    const Surface_sample sample = sample_input(input, np, Is_range<MeshOrPointRange>());
     check_sample(sample);
     compute_bounding_sphere(sample);
     m_interpolant = std::make_shared<const Interpolant>(sample, parameters, function);
@@ -189,7 +189,7 @@ private:
   }
 
   template <typename TriangleMesh, typename NamedParameters>
-  static Surface_sample sample_input(const TriangleMesh& tmesh, const NamedParameters& np, std::true_type)
+  static Surface_sample sample_input(const TriangleMesh& tmesh, const NamedParameters& np, std::false_type)
   {
     using parameters::choose_parameter;
     using parameters::get_parameter;
@@ -200,15 +200,29 @@ private:
   }
 
   template <typename PointRange, typename NamedParameters>
-  static Surface_sample sample_input(const PointRange& points, const NamedParameters& np, std::false_type)
+  static Surface_sample sample_input(const PointRange& points, const NamedParameters& np, std::true_type)
   {
-    using parameters::choose_parameter;
-    using parameters::get_parameter;
-    typedef typename std::iterator_traits<typename PointRange::const_iterator>::value_type Item;
-    return Anisotropic_hde_remeshing::internal::sample_points<ConcurrencyTag>(
-        points,
-        choose_parameter(get_parameter(np, internal_np::point_map), First_of_pair_property_map<Item>()),
-        choose_parameter(get_parameter(np, internal_np::normal_map), Second_of_pair_property_map<Item>()));
+    return Anisotropic_hde_remeshing::internal::sample_points<ConcurrencyTag>(points, point_map<PointRange>(np),
+                                                                              normal_map<PointRange>(np));
+  }
+
+  // the defaults are instantiated only where they are used: they ask for pairs
+  template <typename PointRange, typename NamedParameters>
+  static auto point_map(const NamedParameters& np)
+  {
+    if constexpr (parameters::is_default_parameter<NamedParameters, internal_np::point_t>::value)
+      return First_of_pair_property_map<typename PointRange::value_type>();
+    else
+      return parameters::get_parameter(np, internal_np::point_map);
+  }
+
+  template <typename PointRange, typename NamedParameters>
+  static auto normal_map(const NamedParameters& np)
+  {
+    if constexpr (parameters::is_default_parameter<NamedParameters, internal_np::normal_t>::value)
+      return Second_of_pair_property_map<typename PointRange::value_type>();
+    else
+      return parameters::get_parameter(np, internal_np::normal_map);
   }
 
   static void check_sample(const Surface_sample& sample)

@@ -72,7 +72,7 @@ void add_function_options(CLI::App& app, Options& o)
   app.add_option("--kernel", o.kernel, "radial function: r3 (r^3, default) or thin-plate (r^2 log r)")
       ->check(CLI::IsMember({"r3", "thin-plate"}))
       ->group(group);
-  app.add_option("--patches", o.patches, "number of overlapping patches (default: one for 20 vertices)")->group(group);
+  app.add_option("--patches", o.patches, "number of overlapping patches (default: one for 25 vertices)")->group(group);
   app.add_option("--overlap", o.overlap, "how far a patch gathers vertices beyond its part, in local edge lengths")
       ->group(group);
   app.add_option("--offset", o.offset,

@@ -11,12 +11,14 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Polynomial_null_space.h>
+
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <Eigen/LU>
-#include <Eigen/QR>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace CGAL {
@@ -46,11 +48,10 @@ struct Interpolation_coefficients
 template <typename RadialFunction>
 class Interpolation_system
 {
-  static constexpr Eigen::Index degree_count = RadialFunction::order == 0 ? 0 : RadialFunction::order == 1 ? 1 : 4;
+  static constexpr Eigen::Index number_of_polynomials = RadialFunction::order == 0 ? 0 : RadialFunction::order == 1 ? 1 : 4;
   static_assert(RadialFunction::order <= 2, "polynomials of degree 2 and more are not implemented");
 
   typedef Eigen::Matrix<double, 3, Eigen::Dynamic> Points;
-  typedef Eigen::Matrix<double, Eigen::Dynamic, degree_count> Polynomial_matrix;
 
 public:
   // Relative to the largest datum; beyond it a solution is not accepted. The data are a small part of the spacing of the
@@ -93,102 +94,90 @@ private:
     return matrix;
   }
 
-  Polynomial_matrix polynomial_matrix() const
+  Eigen::MatrixXd polynomial_matrix() const
   {
-    Polynomial_matrix matrix(m_centres.cols(), degree_count);
-    if constexpr (degree_count > 0)
+    Eigen::MatrixXd matrix(m_centres.cols(), number_of_polynomials);
+    if (number_of_polynomials > 0)
       matrix.col(0).setOnes();
-    if constexpr (degree_count == 4)
-      matrix.template rightCols<3>() = m_centres.transpose();
+    if (number_of_polynomials == 4)
+      matrix.rightCols(3) = m_centres.transpose();
     return matrix;
   }
 
   Interpolation_coefficients solve_on_null_space(const Eigen::VectorXd& data, const double ridge) const
   {
-    const Eigen::Index n = m_centres.cols(), m = n - degree_count;
-    const Polynomial_matrix polynomials = polynomial_matrix();
-    const Eigen::HouseholderQR<Polynomial_matrix> qr(polynomials);
-    Eigen::MatrixXd matrix = RadialFunction::sign * interpolation_matrix();
-    Eigen::VectorXd right = RadialFunction::sign * data;
-    if constexpr (degree_count > 0)
-    {
-      transform_by_similarity(qr, matrix);
-      right.applyOnTheLeft(qr.householderQ().adjoint());
-    }
+    const Eigen::Index n = m_centres.cols(), q = number_of_polynomials, m = n - q;
+    const Polynomial_null_space null_space(polynomial_matrix());
+    Eigen::MatrixXd matrix = interpolation_matrix();
+    matrix *= RadialFunction::sign;
+    null_space.transform(matrix);
+    const Eigen::VectorXd right = RadialFunction::sign * null_space.transformed(data);
+    const Eigen::MatrixXd mixed = matrix.topRightCorner(q, m);
 
     Interpolation_coefficients result;
     result.relative_residual = std::numeric_limits<double>::infinity();
-    auto reduced = matrix.bottomRightCorner(m, m);
-    if (ridge > 0)
-      reduced.diagonal().array() += ridge * reduced.diagonal().mean();
-    const Eigen::VectorXd diagonal = reduced.diagonal();
-    Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> cholesky(reduced); // in place: overwrites the lower triangle
-    if (cholesky.info() != Eigen::Success)
+    Eigen::VectorXd u = right.tail(m);
+    const double residual = solve_definite(matrix.bottomRightCorner(m, m), ridge, u);
+    if (!std::isfinite(residual))
       return result;
-    Eigen::VectorXd u = cholesky.solve(right.tail(m));
-    // Q is orthogonal, hence the residual in its coordinates is as large as that of (11); the upper triangle still is A's
-    const auto residual = [&]() -> Eigen::VectorXd
-    {
-      Eigen::VectorXd r = right.tail(m) - diagonal.cwiseProduct(u);
-      r.noalias() -= reduced.template triangularView<Eigen::StrictlyUpper>() * u;
-      r.noalias() -= reduced.template triangularView<Eigen::StrictlyUpper>().transpose() * u;
-      return r;
-    };
-    u += cholesky.solve(residual()); // a step of iterative refinement
-    const double size = data.template lpNorm<Eigen::Infinity>();
-    result.relative_residual = size > 0 ? residual().template lpNorm<Eigen::Infinity>() / size : 0.;
     result.weights = Eigen::VectorXd::Zero(n);
     result.weights.tail(m) = u;
-    if constexpr (degree_count > 0)
-    {
-      result.weights.applyOnTheLeft(qr.householderQ());
-      const Eigen::VectorXd polynomial_right = right.head(degree_count) - matrix.topRightCorner(degree_count, m) * u;
-      const auto triangle = qr.matrixQR().template topRows<degree_count>().template triangularView<Eigen::Upper>();
-      result.polynomial.template head<degree_count>() = RadialFunction::sign * triangle.solve(polynomial_right);
-    }
-    if (!result.weights.allFinite() || !result.polynomial.allFinite())
-      result.relative_residual = std::numeric_limits<double>::infinity();
+    result.weights = null_space.transformed_back(result.weights);
+    const Eigen::VectorXd polynomial_right = right.head(q) - mixed * u;
+    result.polynomial.head(q) = RadialFunction::sign * null_space.solve_triangle(polynomial_right);
+    // Q is orthogonal, hence the residual in its coordinates is as large as that of (11)
+    if (result.weights.allFinite() && result.polynomial.allFinite())
+      result.relative_residual = relative(residual, data);
     return result;
   }
 
-  // Replaces the symmetric A by Q^T A Q. With the compact form Q = I - V T V^T of the reflections, X = A V T and
-  // Y = X - V (T^T V^T X) / 2 it is A - V Y^T - Y V^T: one product instead of a sweep over A a reflection and side.
-  static void transform_by_similarity(const Eigen::HouseholderQR<Polynomial_matrix>& qr, Eigen::MatrixXd& matrix)
+  // Overwrites `u` by the solution of the system with it as the right-hand side, and the lower triangle of the matrix by its
+  // factor; returns the largest residual, infinite if the matrix is not positive definite.
+  static double solve_definite(Eigen::Ref<Eigen::MatrixXd> matrix, const double ridge, Eigen::VectorXd& u)
   {
-    const Eigen::Index n = matrix.rows();
-    Polynomial_matrix v = qr.matrixQR().template triangularView<Eigen::UnitLower>();
-    Eigen::Matrix<double, degree_count, degree_count> t = Eigen::Matrix<double, degree_count, degree_count>::Zero();
-    for (Eigen::Index i = 0; i < degree_count; ++i)
+    if (ridge > 0)
+      matrix.diagonal().array() += ridge * matrix.diagonal().mean();
+    const Eigen::VectorXd diagonal = matrix.diagonal(), right = u;
+    const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> cholesky(matrix);
+    if (cholesky.info() != Eigen::Success)
+      return std::numeric_limits<double>::infinity();
+    // the upper triangle still is the matrix's
+    const auto residual = [&]() -> Eigen::VectorXd
     {
-      t(i, i) = qr.hCoeffs()[i];
-      if (i > 0)
-        t.col(i).head(i) = -t(i, i) * (t.topLeftCorner(i, i) * (v.leftCols(i).transpose() * v.col(i)));
-    }
-    const Polynomial_matrix x = matrix * (v * t);
-    Eigen::Matrix<double, Eigen::Dynamic, 2 * degree_count> left(n, 2 * degree_count), right(n, 2 * degree_count);
-    left.template leftCols<degree_count>() = v;
-    left.template rightCols<degree_count>() = x - 0.5 * v * (t.transpose() * (v.transpose() * x));
-    right << left.template rightCols<degree_count>(), v;
-    matrix.noalias() -= left * right.transpose();
+      Eigen::VectorXd r = right - diagonal.cwiseProduct(u);
+      r.noalias() -= matrix.template triangularView<Eigen::StrictlyUpper>() * u;
+      r.noalias() -= matrix.template triangularView<Eigen::StrictlyUpper>().transpose() * u;
+      return r;
+    };
+    cholesky.solveInPlace(u);
+    Eigen::VectorXd correction = residual(); // a step of iterative refinement
+    cholesky.solveInPlace(correction);
+    u += correction;
+    return residual().template lpNorm<Eigen::Infinity>();
+  }
+
+  static double relative(const double residual, const Eigen::VectorXd& data)
+  {
+    const double largest = data.template lpNorm<Eigen::Infinity>();
+    return largest > 0 ? residual / largest : 0.;
   }
 
   // the whole indefinite system, for the data that the null space method cannot take: all of them in a plane, say
   Interpolation_coefficients solve_whole(const Eigen::VectorXd& data) const
   {
-    const Eigen::Index n = m_centres.cols(), size = n + degree_count;
+    const Eigen::Index n = m_centres.cols(), size = n + number_of_polynomials;
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size, size);
     matrix.topLeftCorner(n, n) = interpolation_matrix();
-    matrix.topRightCorner(n, degree_count) = polynomial_matrix();
-    matrix.bottomLeftCorner(degree_count, n) = polynomial_matrix().transpose();
+    matrix.topRightCorner(n, number_of_polynomials) = polynomial_matrix();
+    matrix.bottomLeftCorner(number_of_polynomials, n) = polynomial_matrix().transpose();
     Eigen::VectorXd right = Eigen::VectorXd::Zero(size);
     right.head(n) = data;
     const Eigen::VectorXd solution = matrix.partialPivLu().solve(right);
     Interpolation_coefficients result;
     result.weights = solution.head(n);
-    result.polynomial.head(degree_count) = solution.tail(degree_count);
-    const double residual = (matrix * solution - right).template lpNorm<Eigen::Infinity>();
-    const double largest = data.template lpNorm<Eigen::Infinity>();
-    result.relative_residual = solution.allFinite() ? (largest > 0 ? residual / largest : 0.)
+    result.polynomial.head(number_of_polynomials) = solution.tail(number_of_polynomials);
+    const Eigen::VectorXd residual = matrix * solution - right;
+    result.relative_residual = solution.allFinite() ? relative(residual.template lpNorm<Eigen::Infinity>(), data)
                                                     : std::numeric_limits<double>::infinity();
     return result;
   }

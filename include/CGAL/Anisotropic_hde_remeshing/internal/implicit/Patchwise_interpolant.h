@@ -22,6 +22,7 @@
 #include <CGAL/Real_timer.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -47,7 +48,8 @@ class Patchwise_interpolant
   typedef Off_surface_points<ConcurrencyTag> Offsets;
 
   static constexpr std::size_t points_per_patch = 25;
-  static constexpr std::size_t maximum_points_of_patch = 300;
+  // of the points that a patch in the plane would have
+  static constexpr double largest_excess_of_points = 2;
 
 public:
   Patchwise_interpolant(const Surface_sample& sample, const Interpolation_parameters& parameters,
@@ -58,7 +60,7 @@ public:
     const std::size_t number_of_patches = parameters.number_of_patches > 0
                                               ? parameters.number_of_patches
                                               : (sample.size() + points_per_patch - 1) / points_per_patch;
-    const std::size_t maximum_size = (std::max)(maximum_points_of_patch, 4 * sample.size() / number_of_patches);
+    const std::size_t maximum_size = maximum_points_of_patch(double(sample.size()) / double(number_of_patches), parameters);
     m_tree = Blending_tree(sample, number_of_patches, parameters.patch_blending, parameters.patch_overlap, maximum_size);
     m_diagnostics.partition_seconds = timer.time();
     timer.reset();
@@ -97,6 +99,13 @@ private:
     double relative_residual = 0;
     Solver solver = Solver::FAILED;
   };
+
+  // A patch of n points in the plane is about sqrt(n) spacings wide, and gathers points over its margins on either side.
+  static std::size_t maximum_points_of_patch(const double own_points, const Interpolation_parameters& parameters)
+  {
+    const double width = std::sqrt(own_points) + 2 * (parameters.patch_blending + parameters.patch_overlap);
+    return std::size_t(largest_excess_of_points * width * width);
+  }
 
   void solve(const Surface_sample& sample, const Offsets& offsets, const RadialFunction& function)
   {

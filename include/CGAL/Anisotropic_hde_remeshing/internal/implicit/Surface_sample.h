@@ -53,7 +53,7 @@ Vector finite_vector(const Point_or_vector& p, const char* what, const std::size
 {
   const Vector result = to_vector(p);
   // far below the largest double, so that no square of a difference overflows
-  if (!(result.cwiseAbs().maxCoeff() < 1e150))
+  if (!(result.array().abs() < 1e150).all())
   {
     std::ostringstream message;
     message << "the " << what << " of vertex " << index << " is (" << result.transpose()

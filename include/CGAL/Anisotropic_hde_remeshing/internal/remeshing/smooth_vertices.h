@@ -17,8 +17,8 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Surface_projection.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Working_mesh.h>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
@@ -36,7 +36,7 @@ namespace internal {
 template <typename ConcurrencyTag, typename Embedding, typename Projection>
 class Vertex_smoother
 {
-  static constexpr double relaxation = 0.9;
+  static constexpr double relaxation = 0.6;
   static constexpr double largest_step = 0.5; // in 3D, of the distance to the nearest neighbour
   static constexpr int number_of_attempts = 3;
   static constexpr double negligible_step = 1e-3; // likewise: a vertex that would move less stays
@@ -194,7 +194,7 @@ private:
     {
       const Eigen::Matrix3d regularised =
           normal_equations + 1e-9 * normal_equations.trace() * Eigen::Matrix3d::Identity();
-      const Eigen::Vector3d s = regularised.ldlt().solve(right);
+      const Eigen::Vector3d s = regularised.inverse() * right;
       Eigen::Matrix2d result;
       result << s[0], s[1], s[1], s[2];
       return result;

@@ -1,0 +1,95 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+#ifndef CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_IMPLICIT_POLYNOMIAL_NULL_SPACE_H
+#define CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_IMPLICIT_POLYNOMIAL_NULL_SPACE_H
+
+#include <CGAL/license/Anisotropic_hde_remeshing.h>
+
+#include <Eigen/Core>
+#include <Eigen/QR>
+
+namespace CGAL {
+namespace Anisotropic_hde_remeshing {
+namespace internal {
+
+// The coordinates in which the side condition P^T alpha = 0 of the paper's (11) is trivial: P = Q (R; 0) with q columns,
+// Q = I - V T V^T the product of q Householder reflections in compact form. The coordinates of Q^T alpha beyond the first q
+// are free, the first q vanish. Matrices of dynamic size throughout: fixed ones would be compiled once more for each shape.
+class Polynomial_null_space
+{
+public:
+  explicit Polynomial_null_space(const Eigen::MatrixXd& polynomials)
+    : m_v(polynomials.rows(), polynomials.cols()), m_t(Eigen::MatrixXd::Zero(polynomials.cols(), polynomials.cols()))
+  {
+    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(polynomials);
+    m_v = qr.matrixQR().triangularView<Eigen::UnitLower>();
+    m_r = qr.matrixQR().topRows(polynomials.cols()).triangularView<Eigen::Upper>();
+    for (Eigen::Index i = 0; i < m_t.cols(); ++i)
+    {
+      m_t(i, i) = qr.hCoeffs()[i];
+      for (Eigen::Index j = 0; j < i; ++j)
+        for (Eigen::Index k = j; k < i; ++k)
+          m_t(j, i) -= m_t(i, i) * m_t(j, k) * m_v.col(k).dot(m_v.col(i));
+    }
+  }
+
+  Eigen::Index number_of_polynomials() const { return m_v.cols(); }
+
+  // Q^T b
+  Eigen::VectorXd transformed(const Eigen::VectorXd& b) const
+  {
+    const Eigen::VectorXd along = m_v.transpose() * b;
+    const Eigen::VectorXd weights = m_t.transpose() * along;
+    return b - m_v * weights;
+  }
+
+  // Q b
+  Eigen::VectorXd transformed_back(const Eigen::VectorXd& b) const
+  {
+    const Eigen::VectorXd along = m_v.transpose() * b;
+    const Eigen::VectorXd weights = m_t * along;
+    return b - m_v * weights;
+  }
+
+  // Replaces the symmetric A by Q^T A Q: with X = A V T and Y = X - V (T^T V^T X) / 2 it is A - V Y^T - Y V^T, one product
+  // instead of a sweep over A a reflection and side.
+  void transform(Eigen::MatrixXd& matrix) const
+  {
+    const Eigen::Index q = number_of_polynomials();
+    const Eigen::MatrixXd vt = m_v * m_t;
+    Eigen::MatrixXd y = matrix * vt;
+    const Eigen::MatrixXd inner = 0.5 * vt.transpose() * y;
+    y -= m_v * inner;
+    Eigen::MatrixXd left(matrix.rows(), 2 * q), right(matrix.rows(), 2 * q);
+    left << m_v, y;
+    right << y, m_v;
+    matrix.noalias() -= left * right.transpose();
+  }
+
+  // the x with R x = b
+  Eigen::VectorXd solve_triangle(Eigen::VectorXd b) const
+  {
+    for (Eigen::Index i = b.size() - 1; i >= 0; --i)
+    {
+      for (Eigen::Index j = i + 1; j < b.size(); ++j)
+        b[i] -= m_r(i, j) * b[j];
+      b[i] /= m_r(i, i);
+    }
+    return b;
+  }
+
+private:
+  Eigen::MatrixXd m_v, m_t, m_r;
+};
+
+} // namespace internal
+} // namespace Anisotropic_hde_remeshing
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_IMPLICIT_POLYNOMIAL_NULL_SPACE_H
