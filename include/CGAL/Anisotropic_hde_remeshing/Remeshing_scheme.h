@@ -17,13 +17,15 @@ namespace Anisotropic_hde_remeshing {
 /// the order of the operations in `CGAL::anisotropic_hde_remeshing()`
 enum class Remeshing_scheme
 {
-  /// An iteration splits and contracts until the lengths are right, flips edges, in the first half of the iterations also
-  /// towards valence six, and smooths all vertices. Splits from 4/3, contractions below 4/5 of the target length. It measures
+  /// An iteration splits edges from 4/3 and contracts edges below 4/5 of the target length, and then the longest or the
+  /// shortest ones until the number of faces is right, which is alternately a little less and a little more than asked; flips
+  /// edges, in the last iterations towards larger angles, before towards valence six; and smooths all vertices. It measures
   /// best and is the default.
   DEFAULT,
   /// Algorithm 2 of the paper: an iteration contracts edges below half of the target length, smooths the 30% of the vertices
   /// with the smallest 6D angles and flips edges until nothing is contracted; then it splits edges above 3/2 of the target
-  /// length, flips, smooths and flips.
+  /// length, flips, smooths and flips. If a number of faces is asked, the length follows it, and the shortest or the longest
+  /// edges make up for the rest.
   PAPER
 };
 

@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
@@ -91,36 +92,51 @@ public:
       m_result.number_of_flips += m_flip(Flip_criterion::ANGLE);
   }
 
-  // all vertices inside the surface onto the zero set
+  // all vertices inside the surface onto the zero set; those of the boundary stay on their polylines
   void project_exactly()
   {
-    parallel_for<ConcurrencyTag>(vertex_capacity(m_mesh),
+    const std::size_t n = vertex_capacity(m_mesh);
+    // all radii before any vertex moves: they must not depend on the order
+    std::vector<double> trust_radii(n, 0.);
+    for_each_vertex(n, [&](const Vertex_index v) { trust_radii[v] = 0.5 * mean_edge_length(v); });
+    for_each_vertex(n,
+                    [&](const Vertex_index v)
+                    {
+                      Vertex_state& state = m_mesh.point(v);
+                      if (state.is_on_boundary())
+                        m_projection.update_normal(state);
+                      else
+                        m_projection.project(state, trust_radii[v]);
+                    });
+  }
+
+private:
+  template <typename Function>
+  void for_each_vertex(const std::size_t n, const Function& f) const
+  {
+    parallel_for<ConcurrencyTag>(n,
                                  [&](const std::size_t i)
                                  {
                                    const Vertex_index v(static_cast<Vertex_index::size_type>(i));
                                    if (!m_mesh.is_removed(v))
-                                     project_vertex(m_projection, m_mesh, v);
+                                     f(v);
                                  },
                                  64);
   }
 
-  // a vertex of the boundary stays on its polyline
-  static void project_vertex(const Projection& projection, Working_mesh& mesh, const Vertex_index v)
+  // in space; the root mean square
+  double mean_edge_length(const Vertex_index v) const
   {
-    Vertex_state& state = mesh.point(v);
-    if (state.is_on_boundary())
-      return projection.update_normal(state);
     double squared_sum = 0;
     std::size_t degree = 0;
-    for (const Halfedge_index h : mesh.halfedges_around_target(mesh.halfedge(v)))
+    for (const Halfedge_index h : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
     {
-      squared_sum += (mesh.point(mesh.source(h)).point - state.point).squaredNorm();
+      squared_sum += (m_mesh.point(m_mesh.source(h)).point - m_mesh.point(v).point).squaredNorm();
       ++degree;
     }
-    projection.project(state, 0.5 * std::sqrt(squared_sum / double(degree)));
+    return std::sqrt(squared_sum / double(degree));
   }
 
-private:
   // the default scheme
   void iterate(const Target_length& target)
   {
@@ -147,7 +163,8 @@ private:
   // Algorithm 2 of the paper
   void iterate_as_the_paper(const Target_length& target)
   {
-    const double length = m_length_factor * target.length();
+    // the paper gives the length; for a number of faces it must follow what it yields
+    const double length = target.is_length_given() ? target.length() : m_length_factor * target.length();
     bool is_any_contracted = true;
     for (int round = 0; is_any_contracted && round < maximum_number_of_paper_rounds && go_further(); ++round)
     {
@@ -159,7 +176,7 @@ private:
     }
     report(0.5);
     split(length);
-    if (m_iteration > 0)
+    if (m_iteration > 0 && !target.is_length_given())
       approach_number_of_faces(target.number_of_faces(), length);
     flip(Flip_criterion::ANGLE);
     smooth();

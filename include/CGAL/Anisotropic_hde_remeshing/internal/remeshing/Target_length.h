@@ -34,6 +34,8 @@ public:
     return Target_length(0, double(number_of_faces), false);
   }
 
+  bool is_length_given() const { return m_is_length_given; }
+
   double length() const { return m_length; }
 
   double number_of_faces() const { return m_number_of_faces; }
