@@ -40,6 +40,16 @@ struct Bounds
   double largest_distance = 1e-9;       // of the vertices inside to the zero set, over the diagonal
 };
 
+// A grid of right triangles is a state of rest for local operations wherever it has the length already: all valences are six,
+// every vertex is the centroid of its surroundings, the angles are 45 degrees and the diagonals 1.32 times the length.
+inline Bounds bounds_for_grids()
+{
+  Bounds bounds;
+  bounds.least_share_of_lengths = 0.98;
+  bounds.least_mean_angle = 48;
+  return bounds;
+}
+
 // closed or open as before, valid, neither folded nor intersecting itself, vertices on the zero set
 template <typename TriangleMesh, typename Function>
 void check_validity(const std::string& name, const TriangleMesh& before, const TriangleMesh& after,

@@ -30,7 +30,8 @@ typedef CGAL::Parallel_if_available_tag Tag;
 // `sigmas` are fractions of the diagonal
 template <typename Function>
 void test_surface(const char* name, const Mesh& input, const Function& function,
-                  const std::initializer_list<double> sigmas, const std::initializer_list<std::size_t> numbers_of_faces)
+                  const std::initializer_list<double> sigmas, const std::initializer_list<std::size_t> numbers_of_faces,
+                  const Bounds& bounds = Bounds())
 {
   for (const double sigma : sigmas)
     for (const std::size_t number_of_faces : numbers_of_faces)
@@ -45,7 +46,7 @@ void test_surface(const char* name, const Mesh& input, const Function& function,
       CHECK(CGAL::is_closed(mesh));
       CHECK(PMP::is_outward_oriented(mesh));
       check_number_of_faces(mesh, number_of_faces);
-      check_quality(mesh, function, result);
+      check_quality(mesh, function, result, bounds);
       CHECK(result.sigma == sigma * bounding_box_diagonal(input));
       CHECK(!result.was_stopped);
     }
@@ -189,7 +190,7 @@ int main()
   // 5120 faces; coarser, as many, finer
   test_surface("sphere", icosphere(4), Sphere_function(), {0., 0.01, 0.3}, {1500, 5120, 12000});
   test_surface("ellipsoid", ellipsoid(4), Ellipsoid_function(), {0., 0.05, 0.15}, {2000, 5120, 10000});
-  test_surface("torus", torus(80, 30), Torus_function(), {0.01, 0.05, 0.2}, {2000, 8000});
+  test_surface("torus", torus(80, 30), Torus_function(), {0.01, 0.05, 0.2}, {2000, 8000}, bounds_for_grids());
   test_default_parameters();
   test_sigma();
   test_target_edge_length();

@@ -91,10 +91,7 @@ Mesh remeshed(const std::string& name, const Mesh& input, const Function& functi
       CGAL::parameters::sigma(sigma * bounding_box_diagonal(input)).number_of_target_faces(number_of_faces));
   check_validity(name + ", sigma " + std::to_string(sigma) + " D", input, mesh, function);
   check_number_of_faces(mesh, number_of_faces);
-  // A grid of right triangles that has the length already is a state of rest: its angles are 45 degrees at worst.
-  Bounds bounds;
-  bounds.least_mean_angle = 49;
-  check_quality(mesh, function, result, bounds);
+  check_quality(mesh, function, result, bounds_for_grids());
   check_boundary(input, mesh, sag);
   return mesh;
 }

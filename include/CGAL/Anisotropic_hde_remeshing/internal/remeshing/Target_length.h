@@ -12,8 +12,8 @@
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Working_mesh.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/embedded_triangle.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -56,7 +56,7 @@ private:
   {
   }
 
-  // of the faces in the embedding, by Heron's formula
+  // of the faces in the embedding
   template <typename Embedding>
   static double area(const Working_mesh& mesh, const Embedding& embedding)
   {
@@ -64,10 +64,9 @@ private:
     for (const Face_index f : mesh.faces())
     {
       const Triangle t(mesh.halfedge(f), mesh);
-      const double x = embedding.squared_length(mesh.point(t.a), mesh.point(t.b)),
-                   y = embedding.squared_length(mesh.point(t.b), mesh.point(t.c)),
-                   z = embedding.squared_length(mesh.point(t.c), mesh.point(t.a));
-      sum += 0.25 * std::sqrt((std::max)(2 * (x * y + y * z + z * x) - (x * x + y * y + z * z), 0.));
+      const Vertex_state &a = mesh.point(t.a), &b = mesh.point(t.b), &c = mesh.point(t.c);
+      sum += Embedded_triangle::area(embedding.squared_length(a, b), embedding.squared_length(b, c),
+                                     embedding.squared_length(c, a));
     }
     return sum;
   }

@@ -13,9 +13,9 @@
 
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Face_guard.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Working_mesh.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/embedded_triangle.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -136,16 +136,8 @@ private:
     const double ab = m_embedding.squared_length(a, b), bc = m_embedding.squared_length(b, c),
                  ca = m_embedding.squared_length(c, a), ad = m_embedding.squared_length(a, d),
                  db = m_embedding.squared_length(d, b), cd = m_embedding.squared_length(c, d);
-    before = (std::max)(largest_cosine(ab, bc, ca), largest_cosine(ab, ad, db));
-    after = (std::max)(largest_cosine(cd, ca, ad), largest_cosine(cd, db, bc));
-  }
-
-  // of a triangle with these squared lengths, the cosine of its smallest angle, which is opposite to its shortest edge
-  static double largest_cosine(const double x, const double y, const double z)
-  {
-    const double shortest = (std::min)({x, y, z});
-    const double product = shortest == x ? y * z : shortest == y ? x * z : x * y;
-    return product > 0 ? 0.5 * (x + y + z - 2 * shortest) / std::sqrt(product) : 1.;
+    before = (std::max)(Embedded_triangle::largest_cosine(ab, bc, ca), Embedded_triangle::largest_cosine(ab, ad, db));
+    after = (std::max)(Embedded_triangle::largest_cosine(cd, ca, ad), Embedded_triangle::largest_cosine(cd, db, bc));
   }
 
   // guards 1, 3 and 5

@@ -16,6 +16,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Face_guard.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Surface_projection.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Working_mesh.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/embedded_triangle.h>
 
 #include <Eigen/Core>
 #include <Eigen/LU>
@@ -109,12 +110,10 @@ private:
       if (m_mesh.is_border(h))
         continue;
       const Triangle t(h, m_mesh);
-      const double x = m_embedding.squared_length(m_mesh.point(t.a), m_mesh.point(t.b)),
-                   y = m_embedding.squared_length(m_mesh.point(t.b), m_mesh.point(t.c)),
-                   z = m_embedding.squared_length(m_mesh.point(t.c), m_mesh.point(t.a));
-      const double shortest = (std::min)({x, y, z}), sum = x + y + z;
-      const double product = shortest == x ? y * z : shortest == y ? x * z : x * y;
-      largest = (std::max)(largest, product > 0 ? 0.5 * (sum - 2 * shortest) / std::sqrt(product) : 1.);
+      const Vertex_state &a = m_mesh.point(t.a), &b = m_mesh.point(t.b), &c = m_mesh.point(t.c);
+      largest = (std::max)(largest, Embedded_triangle::largest_cosine(m_embedding.squared_length(a, b),
+                                                                      m_embedding.squared_length(b, c),
+                                                                      m_embedding.squared_length(c, a)));
     }
     return largest;
   }
@@ -210,8 +209,9 @@ private:
       const Vertex_state &a = m_mesh.point(m_mesh.source(h)), &b = m_mesh.point(m_mesh.target(m_mesh.next(h)));
       around.add_difference(frame.transpose() * (a.point - state.point), frame.transpose() * (a.normal - state.normal));
       around.squared_radius = (std::min)(around.squared_radius, (a.point - state.point).squaredNorm());
-      const double weight = area(m_embedding.squared_length(state, a), m_embedding.squared_length(a, b),
-                                 m_embedding.squared_length(b, state));
+      const double weight =
+          Embedded_triangle::area(m_embedding.squared_length(state, a), m_embedding.squared_length(a, b),
+                                  m_embedding.squared_length(b, state));
       weights += weight;
       around.to_point += weight * ((a.point + b.point + state.point) / 3 - state.point);
       around.to_normal += weight * ((a.normal + b.normal + state.normal) / 3 - state.normal);
@@ -221,13 +221,6 @@ private:
     around.to_point /= weights;
     around.to_normal /= weights;
     return true;
-  }
-
-  // of a triangle with these squared lengths, by Heron's formula
-  static double area(const double x, const double y, const double z)
-  {
-    const double squared = 2 * (x * y + y * z + z * x) - (x * x + y * y + z * z);
-    return squared > 0 ? 0.25 * std::sqrt(squared) : 0;
   }
 
   // takes back the moves of the vertices of folded faces, as long as there are any: each round takes back at least one move
