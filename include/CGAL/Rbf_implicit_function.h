@@ -46,7 +46,7 @@ Copies are cheap: they share the data, which never change. All members are threa
 number of threads that built it.
 
 The construction takes time linear in the number of points (cubic in the number of points of a patch), an evaluation a time
-that does not depend on the number of points but for the depth of a kd tree.
+that does not depend on the number of points but for the depth of the tree of patches.
 
 \tparam GeomTraits a kernel; computations are in `double` whatever its number type
 \tparam RadialFunction a model of `RadialBasisFunction`, such as `Polyharmonic_rbf` or `Thin_plate_rbf`
