@@ -11,19 +11,24 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
+#include <CGAL/Anisotropic_hde_remeshing/Principal_curvatures.h>
 #include <CGAL/Anisotropic_hde_remeshing/Rbf_diagnostics.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/check_parameters.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Facet_distance.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Patchwise_interpolant.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Point_distance.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/sample_mesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/sample_points.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/named_parameters.h>
 #include <CGAL/Radial_basis_functions.h>
 
+#include <CGAL/Real_timer.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <stdexcept>
@@ -42,6 +47,19 @@ The points are distributed over patches that overlap. Each patch interpolates th
 \f$ \varepsilon_i \f$ at the off-surface points \f$ x_i + \varepsilon_i n_i \f$; the patches are solved in parallel and blended
 into one function, twice continuously differentiable with `Polyharmonic_rbf`, by smooth weights that sum to one.
 
+<b>Near and far.</b> From 2.5 to 3.5 local spacings away from the points the function passes to the signed distance to the input
+itself: to the facets of a mesh, or to the tangent planes of the nearest points. Interpolants would only extrapolate there, and
+might vanish where there is no surface. Hence the sign is right everywhere for a closed mesh that does not intersect itself, and
+mesh generators of CGAL can be let loose on it. The far part is continuous where the distance is; its gradient is not continuous
+at points that are equally far from two parts of the surface, and its Hessian is not that of a distance but zero.
+
+<b>Self-check.</b> After a patch is solved, the sign of its function is checked around its facets (around its points, if the input
+is a range) at a quarter to twice the local spacing, the gradient and the distance of the zero set at them. A patch that
+fails is solved with smaller offsets, with a wider view, and with a little smoothing, until it passes. Where a patch fails in more
+than a twentieth of its checks all the same, which happens where sampling is too coarse for the shape, the function is the signed
+distance to the input there, with a gradient along its interpolated normals, blended with the neighbouring patches.
+`diagnostics()` counts these patches.
+
 Copies are cheap: they share the data, which never change. All members are thread-safe. The function does not depend on the
 number of threads that built it.
 
@@ -49,7 +67,7 @@ The construction takes time linear in the number of points (cubic in the number 
 that does not depend on the number of points but for the depth of the tree of patches.
 
 \tparam GeomTraits a kernel; computations are in `double` whatever its number type
-\tparam RadialFunction a model of `RadialBasisFunction`, such as `Polyharmonic_rbf` or `Thin_plate_rbf`
+\tparam RadialFunction a model of `RadialBasisFunction`, such as `Polyharmonic_rbf`
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
 
 \cgalModels `ImplicitFunctionWithGradient`, hence `ImplicitFunction`
@@ -60,7 +78,9 @@ class Rbf_implicit_function
 {
   typedef Anisotropic_hde_remeshing::internal::Patchwise_interpolant<RadialFunction, ConcurrencyTag> Interpolant;
   typedef Anisotropic_hde_remeshing::internal::Surface_sample Surface_sample;
-  typedef Anisotropic_hde_remeshing::internal::Value_and_gradient Value_and_gradient;
+  typedef Anisotropic_hde_remeshing::internal::Signed_distance Signed_distance;
+  template <int order>
+  using Jet = Anisotropic_hde_remeshing::internal::Jet<order>;
 
   // boost::graph_traits of a type that is no graph is a hard error: a range is told by its iterator
   template <typename T, typename = void>
@@ -105,17 +125,36 @@ public:
       \cgalParamDefault{`Second_of_pair_property_map`}
     \cgalParamNEnd
     \cgalParamNBegin{number_of_patches}
-      \cgalParamDescription{the paper's K; patches that uneven sampling makes too large are split further}
+      \cgalParamDescription{the paper's K; patches that uneven sampling makes too large are split further, and so are those
+                            of more than 3,000 points unless the kernel has compact support}
       \cgalParamDefault{one for 25 points}
     \cgalParamNEnd
     \cgalParamNBegin{patch_overlap}
       \cgalParamDescription{the paper's Ov: how far beyond its zone of influence a patch gathers points, in units of the local
                             distance between points}
-      \cgalParamDefault{3}
+      \cgalParamDefault{2.5}
     \cgalParamNEnd
     \cgalParamNBegin{offset_distance}
       \cgalParamDescription{the paper's \f$ \varepsilon \f$, one for all points, in the unit of the coordinates}
-      \cgalParamDefault{0.05 of the local distance between points}
+      \cgalParamDefault{`relative_offset_distance` of the local distance between points}
+      \cgalParamExtra{An offset is halved while the off-surface point is nearer to another point of the surface than to its own.}
+    \cgalParamNEnd
+    \cgalParamNBegin{relative_offset_distance}
+      \cgalParamDescription{\f$ \varepsilon_i \f$ in units of the local distance between points; more than 1 raises sheets that the
+                            surface does not have}
+      \cgalParamDefault{0.05}
+    \cgalParamNEnd
+    \cgalParamNBegin{two_sided_offsets}
+      \cgalParamDescription{whether to interpolate \f$ -\varepsilon_i \f$ at \f$ x_i - \varepsilon_i n_i \f$, too. It takes three times
+                            longer, and is of use with offsets of the size of the local distance between points.}
+      \cgalParamType{Boolean}
+      \cgalParamDefault{`false`}
+    \cgalParamNEnd
+    \cgalParamNBegin{smoothing}
+      \cgalParamDescription{the ridge added to the diagonal of the interpolation matrices, in which the local distance between points
+                            is 1. It lets the function miss the data so as to be smoother, against noise in points and normals; 0
+                            interpolates. `Rbf_diagnostics::worst_value_residual` tells by how much it misses.}
+      \cgalParamDefault{0}
     \cgalParamNEnd
     \cgalParamNBegin{radial_function}
       \cgalParamDescription{the object of type `RadialFunction`}
@@ -130,41 +169,72 @@ public:
             typename = std::enable_if_t<!std::is_base_of<Rbf_implicit_function, MeshOrPointRange>::value>>
   explicit Rbf_implicit_function(const MeshOrPointRange& input, const NamedParameters& np = parameters::default_values())
   {
-    const auto parameters = interpolation_parameters(np);
+    Real_timer timer;
+    timer.start();
+    Anisotropic_hde_remeshing::internal::Interpolation_parameters parameters = interpolation_parameters(np);
     const RadialFunction function =
         parameters::choose_parameter(parameters::get_parameter(np, internal_np::radial_function), RadialFunction());
-    const Surface_sample sample = sample_input(input, np, Is_range<MeshOrPointRange>());
-    check_sample(sample);
-    compute_bounding_sphere(sample);
-    m_interpolant = std::make_shared<const Interpolant>(sample, parameters, function);
+    const auto sample = std::make_shared<Surface_sample>(sample_input(input, np, Is_range<MeshOrPointRange>()));
+    check_sample(*sample);
+    m_normalization = Anisotropic_hde_remeshing::internal::normalize(*sample);
+    m_squared_radius = squared_radius(*sample);
+    parameters.absolute_offset *= m_normalization.scale;
+    const double input_seconds = timer.time();
+    m_interpolant = std::make_shared<const Interpolant>(sample, signed_distance(sample, Is_range<MeshOrPointRange>()),
+                                                        parameters, function, m_normalization.scale);
+    m_diagnostics = complete(m_interpolant->diagnostics(), *sample, input_seconds);
   }
 
   /// the value at `p`, in the unit of the coordinates
-  FT operator()(const Point_3& p) const { return FT(evaluate(p).value); }
+  FT operator()(const Point_3& p) const { return FT(evaluate<0>(p).value / m_normalization.scale); }
 
   /// the gradient at `p`, outward, of length close to 1 near the surface
-  Vector_3 gradient(const Point_3& p) const { return to_vector_3(evaluate(p).gradient); }
+  Vector_3 gradient(const Point_3& p) const { return to_vector_3(evaluate<1>(p).gradient); }
 
   /// both, in the time of one
   std::pair<FT, Vector_3> value_and_gradient(const Point_3& p) const
   {
-    const Value_and_gradient result = evaluate(p);
-    return std::make_pair(FT(result.value), to_vector_3(result.gradient));
+    const Jet<1> jet = evaluate<1>(p);
+    return std::make_pair(FT(jet.value / m_normalization.scale), to_vector_3(jet.gradient));
+  }
+
+  /// the matrix of the second derivatives at `p`, symmetric, in the inverse of the unit of the coordinates. `RadialFunction` must
+  /// model the operation for second derivatives. It takes twice the time of the gradient.
+  Eigen::Matrix3d hessian(const Point_3& p) const { return evaluate<2>(p).hessian * m_normalization.scale; }
+
+  /*!
+  the shape operator at `p` of the level set through it, \f$ S = T H T / |\nabla f| \f$ with the Hessian \f$ H \f$, the unit normal
+  \f$ n \f$ and \f$ T = I - n n^T \f$. It is symmetric and has \f$ n \f$ in its kernel; its other eigenvalues are the principal
+  curvatures, positive where the surface curves away from the normal, as a sphere does. Zero where the gradient vanishes.
+  */
+  Eigen::Matrix3d shape_operator(const Point_3& p) const
+  {
+    return Anisotropic_hde_remeshing::internal::shape_operator(evaluate<2>(p)) * m_normalization.scale;
+  }
+
+  /// the principal curvatures and directions at `p` of the level set through it, the eigenvalues and eigenvectors of
+  /// `shape_operator()`
+  Anisotropic_hde_remeshing::Principal_curvatures<Geom_traits> principal_curvatures(const Point_3& p) const
+  {
+    return Anisotropic_hde_remeshing::internal::principal_curvatures<Geom_traits>(evaluate<2>(p), m_normalization.scale);
   }
 
   /// a sphere that contains the zero set near the points
   Sphere_3 bounding_sphere() const
   {
-    return Sphere_3(Point_3(FT(m_centre[0]), FT(m_centre[1]), FT(m_centre[2])), FT(m_squared_radius));
+    const Eigen::Vector3d& c = m_normalization.centre;
+    return Sphere_3(Point_3(FT(c[0]), FT(c[1]), FT(c[2])), FT(m_squared_radius));
   }
 
   /// what the construction did
-  const Anisotropic_hde_remeshing::Rbf_diagnostics& diagnostics() const { return m_interpolant->diagnostics(); }
+  const Anisotropic_hde_remeshing::Rbf_diagnostics& diagnostics() const { return *m_diagnostics; }
 
 private:
-  Value_and_gradient evaluate(const Point_3& p) const
+  template <int order>
+  Jet<order> evaluate(const Point_3& p) const
   {
-    return (*m_interpolant)({CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
+    return m_interpolant->template evaluate<order>(
+        m_normalization({CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())}));
   }
 
   static Vector_3 to_vector_3(const Eigen::Vector3d& v) { return Vector_3(FT(v[0]), FT(v[1]), FT(v[2])); }
@@ -185,6 +255,14 @@ private:
     if constexpr (!is_default_parameter<NamedParameters, internal_np::offset_distance_t>::value)
       result.absolute_offset =
           checked_positive("offset_distance", CGAL::to_double(get_parameter(np, internal_np::offset_distance)));
+    if constexpr (!is_default_parameter<NamedParameters, internal_np::relative_offset_distance_t>::value)
+      result.relative_offset = checked_positive(
+          "relative_offset_distance", CGAL::to_double(get_parameter(np, internal_np::relative_offset_distance)));
+    if constexpr (!is_default_parameter<NamedParameters, internal_np::two_sided_offsets_t>::value)
+      result.offsets_on_both_sides = get_parameter(np, internal_np::two_sided_offsets);
+    if constexpr (!is_default_parameter<NamedParameters, internal_np::smoothing_t>::value)
+      result.smoothing =
+          checked_not_negative("smoothing", CGAL::to_double(get_parameter(np, internal_np::smoothing)));
     return result;
   }
 
@@ -239,20 +317,46 @@ private:
       throw std::invalid_argument("the input has no point with a normal: all its faces are degenerate");
   }
 
-  void compute_bounding_sphere(const Surface_sample& sample)
+  // of a normalised sample
+  double squared_radius(const Surface_sample& sample) const
   {
-    Eigen::Vector3d low = sample.points.front(), high = low;
+    Eigen::Vector3d half_box = Eigen::Vector3d::Zero();
     for (const Eigen::Vector3d& p : sample.points)
-    {
-      low = low.cwiseMin(p);
-      high = high.cwiseMax(p);
-    }
-    m_centre = 0.5 * (low + high);
-    m_squared_radius = 1.1 * 1.1 * 0.25 * (high - low).squaredNorm(); // the zero set bulges between the points
+      half_box = half_box.cwiseMax(p.cwiseAbs());
+    const double radius = 1.1 * half_box.norm() / m_normalization.scale; // the zero set bulges between the points
+    return radius * radius;
+  }
+
+  static std::shared_ptr<const Signed_distance> signed_distance(const std::shared_ptr<const Surface_sample>& sample,
+                                                                std::false_type)
+  {
+    return std::make_shared<Anisotropic_hde_remeshing::internal::Facet_distance>(sample);
+  }
+
+  static std::shared_ptr<const Signed_distance> signed_distance(const std::shared_ptr<const Surface_sample>& sample,
+                                                                std::true_type)
+  {
+    return std::make_shared<Anisotropic_hde_remeshing::internal::Point_distance>(sample);
+  }
+
+  std::shared_ptr<const Anisotropic_hde_remeshing::Rbf_diagnostics>
+  complete(Anisotropic_hde_remeshing::Rbf_diagnostics diagnostics, const Surface_sample& sample,
+           const double input_seconds) const
+  {
+    diagnostics.number_of_points = sample.size();
+    diagnostics.number_of_isolated_vertices = sample.number_of_isolated_vertices;
+    diagnostics.number_of_duplicate_points = sample.number_of_duplicate_points;
+    diagnostics.number_of_points_without_normal =
+        std::size_t(std::count_if(sample.normals.begin(), sample.normals.end(),
+                                  [](const Eigen::Vector3d& normal) { return normal.isZero(0); }));
+    diagnostics.worst_value_residual /= m_normalization.scale;
+    diagnostics.input_seconds = input_seconds;
+    return std::make_shared<const Anisotropic_hde_remeshing::Rbf_diagnostics>(diagnostics);
   }
 
   std::shared_ptr<const Interpolant> m_interpolant;
-  Eigen::Vector3d m_centre;
+  std::shared_ptr<const Anisotropic_hde_remeshing::Rbf_diagnostics> m_diagnostics;
+  Anisotropic_hde_remeshing::internal::Normalization m_normalization;
   double m_squared_radius = 0;
 };
 

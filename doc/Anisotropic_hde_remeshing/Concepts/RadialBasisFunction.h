@@ -11,20 +11,28 @@
 \cgalConcept
 
 The concept `RadialBasisFunction` describes a kernel \f$ \phi(r), r \ge 0 \f$, of the interpolants
-\f[ s(x) = \sum_j \alpha_j \, \phi(|y - y_j|) + p(y), \quad y = (x - c) / \rho, \f]
-of the patches of `CGAL::Rbf_implicit_function`, with the centre \f$ c \f$ and the radius \f$ \rho \f$ of the patch and a
-polynomial \f$ p \f$ of degree `order` - 1.
+\f[ s(x) = h \, \bigl( \sum_j \alpha_j \, \phi(|y - y_j|) + p(y) \bigr), \quad y = (x - c) / h, \f]
+of the patches of `CGAL::Rbf_implicit_function`, with a centre \f$ c \f$ and the local spacing \f$ h \f$ of the points of the
+patch, the median of their mean distances to their neighbours. The polynomial \f$ p \f$ is linear, with the squares and the
+product of two coordinates along the surface where the normals of the patch have a common direction: that is more than kernels
+of order 2 need, and is carried for all.
 
-<b>Units.</b> \f$ r \f$ has none: it is relative to the radius of the patch, whose centres lie in the unit ball, hence from
-0 to 2 between two of them. A shape parameter of a model is relative to that radius, too.
+<b>Units.</b> \f$ r \f$ is in units of the local spacing. A shape parameter may be, too, and then fits meshes of all sizes and
+densities.
 
 <b>Thread safety.</b> `operator()` may be called from several threads at once on one object.
 
-A model is copyable. With the default of the named parameter `radial_function` it is also default constructible.
+A model is copyable and default constructible.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Polyharmonic_rbf}
 \cgalHasModels{CGAL::Thin_plate_rbf}
+\cgalHasModels{CGAL::Gaussian_rbf}
+\cgalHasModels{CGAL::Multiquadric_rbf}
+\cgalHasModels{CGAL::Inverse_multiquadric_rbf}
+\cgalHasModels{CGAL::Wendland_C2_rbf}
+\cgalHasModels{CGAL::Wendland_C4_rbf}
+\cgalHasModels{CGAL::Wendland_C6_rbf}
 \cgalHasModelsEnd
 
 \sa `CGAL::Rbf_implicit_function`
@@ -35,8 +43,7 @@ public:
   /// \name Constants
   /// @{
 
-  /// the order \f$ m \f$ of conditional positive definiteness, 0, 1 or 2: the interpolant has no polynomial, a constant or a
-  /// linear polynomial. 0 if the kernel is positive definite.
+  /// the order \f$ m \f$ of conditional positive definiteness, 0, 1 or 2; 0 if the kernel is positive definite.
   static constexpr unsigned int order = unspecified;
 
   /// 1 or -1: the matrix with the entries `sign` \f$ \phi(|y_i - y_j|) \f$ is positive definite on the vectors
@@ -68,6 +75,27 @@ public:
   */
   template <class T>
   void operator()(const T& squared_radius, T& value, T& derivative_over_radius) const;
+
+  /// @}
+
+  /// \name Optional Operations
+  /// @{
+
+  /*!
+  computes in addition to the above `second` \f$ = (\phi'(r) / r)' / r \f$, where the prime is the derivative by \f$ r \f$. The
+  Hessian of \f$ \phi(|y|) \f$ is `first` times the identity plus `second` times \f$ y y^T \f$. It must be finite at \f$ r = 0 \f$,
+  where it is multiplied by zero. Needed by `CGAL::Rbf_implicit_function::hessian()` and what is computed from it.
+  */
+  template <class T>
+  void operator()(const T& squared_radius, T& value, T& first, T& second) const;
+
+  /// tells the kernel the local spacing of the patch in the unit of the coordinates, before it is used there: for a kernel with
+  /// a shape parameter in that unit.
+  void set_unit(double spacing);
+
+  /// the radius, in units of the local spacing, beyond which the kernel is zero. It makes the systems of large patches sparse, and
+  /// evaluations pass over centres that are farther away. The kernel must be of order 0.
+  double support_radius() const;
 
   /// @}
 };

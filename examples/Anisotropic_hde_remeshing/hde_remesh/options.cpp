@@ -69,8 +69,14 @@ void add_size_options(CLI::App& app, Options& o)
 void add_function_options(CLI::App& app, Options& o)
 {
   const std::string group = "The smooth function";
-  app.add_option("--kernel", o.kernel, "radial function: r3 (r^3, default) or thin-plate (r^2 log r)")
-      ->check(CLI::IsMember({"r3", "thin-plate"}))
+  app.add_option("--kernel", o.kernel,
+                 "radial function: r3 (r^3, default), thin-plate (r^2 log r), gaussian, multiquadric,\n"
+                 "inverse-multiquadric, wendland-c2, wendland-c4 or wendland-c6")
+      ->check(CLI::IsMember({"r3", "thin-plate", "gaussian", "multiquadric", "inverse-multiquadric", "wendland-c2",
+                             "wendland-c4", "wendland-c6"}))
+      ->group(group);
+  app.add_option("--shape", o.shape,
+                 "width of the kernel, or radius of its support, in local edge lengths; r3 and thin-plate have none")
       ->group(group);
   app.add_option("--patches", o.patches, "number of overlapping patches (default: one for 25 vertices)")->group(group);
   app.add_option("--overlap", o.overlap, "how far a patch gathers vertices beyond its part, in local edge lengths")
@@ -78,6 +84,9 @@ void add_function_options(CLI::App& app, Options& o)
   app.add_option("--offset", o.offset,
                  "distance of the off-surface points, in the unit of the mesh\n"
                  "(default: a share of the local edge length)")
+      ->group(group);
+  app.add_option("--smoothing", o.smoothing,
+                 "ridge on the interpolation matrices, against noise: the surface may miss the vertices (default: 0)")
       ->group(group);
 }
 
@@ -148,6 +157,9 @@ void check_values(const Options& o)
   require_count("--patches", o.patches);
   require_length("--overlap", o.overlap, true);
   require_length("--offset", o.offset);
+  require_length("--shape", o.shape);
+  require("--shape", o.shape, o.kernel != "r3" && o.kernel != "thin-plate", "left out: the kernel has no shape parameter");
+  require_length("--smoothing", o.smoothing, true);
   require_count("--iterations", o.iterations, true);
   require_count("--relaxation-steps", o.relaxation_steps, true);
   require_length("--smoothing-ratio", o.smoothing_ratio, true);

@@ -23,7 +23,7 @@ struct Options
   std::optional<double> length;
   std::string kernel = "r3";
   std::optional<long long> patches;
-  std::optional<double> overlap, offset;
+  std::optional<double> shape, overlap, offset, smoothing;
   std::optional<long long> iterations, relaxation_steps;
   std::optional<double> smoothing_ratio, collapse_ratio, split_ratio;
   std::string scheme = "default";

@@ -150,8 +150,9 @@ private:
              << " patches of " << fixed(rbf.mean_centres, 0) << " centres (at most " << rbf.max_centres << "), "
              << fixed(static_cast<double>(rbf.memory_bytes) / 1e6, 1) << " MB, residual "
              << number(rbf.worst_residual, 2) << '\n';
-    m_stream << "patches by fallback: " << rbf.patches_with_ridge << " ridge, " << rbf.patches_with_lu << " LU, "
-             << rbf.patches_on_fallback << " tangent planes; " << rbf.number_of_shortened_offsets
+    m_stream << "self-check: " << rbf.patches_repaired << " patches repaired, " << rbf.patches_on_fallback
+             << " answered by the input itself, " << rbf.number_of_failed_checks << " checks of the others failed; solved with ridge "
+             << rbf.patches_with_ridge << ", by LU " << rbf.patches_with_lu << "; " << rbf.number_of_shortened_offsets
              << " offsets shortened\n";
     m_stream << "remeshing: " << result.number_of_iterations << " iterations, " << result.number_of_splits
              << " splits, " << result.number_of_collapses << " contractions, " << result.number_of_flips

@@ -8,9 +8,8 @@
 
 #include "remesh.h"
 #include "Stopwatch.h"
+#include "build_function.h"
 
-#include <CGAL/Radial_basis_functions.h>
-#include <CGAL/Rbf_implicit_function.h>
 #include <CGAL/anisotropic_hde_remeshing.h>
 
 namespace hde_remesh {
@@ -20,33 +19,6 @@ namespace {
 namespace parameters = CGAL::parameters;
 typedef CGAL::Anisotropic_hde_remeshing::Remeshing_scheme Remeshing_scheme;
 typedef CGAL::Anisotropic_hde_remeshing::Remeshing_result Remeshing_result;
-
-// The kernel is a type. The remeshing sees the function through `Function_view`, so that it is compiled once for all of
-// them; beside the evaluation, the price of that does not show.
-//
-// Named parameters have their values at run time, but whether they are there is settled at compile time: hence the
-// branches below, one function a parameter that may be left out.
-
-template <typename Function, typename NamedParameters>
-Function build_with_offset(const Mesh& mesh, const Options& o, const NamedParameters& np)
-{
-  return o.offset ? Function(mesh, np.offset_distance(*o.offset)) : Function(mesh, np);
-}
-
-template <typename Function, typename NamedParameters>
-Function build_with_overlap(const Mesh& mesh, const Options& o, const NamedParameters& np)
-{
-  return o.overlap ? build_with_offset<Function>(mesh, o, np.patch_overlap(*o.overlap))
-                   : build_with_offset<Function>(mesh, o, np);
-}
-
-template <typename Function>
-Function build(const Mesh& mesh, const Options& o)
-{
-  const auto np = parameters::vertex_point_map(mesh.points());
-  return o.patches ? build_with_overlap<Function>(mesh, o, np.number_of_patches(static_cast<std::size_t>(*o.patches)))
-                   : build_with_overlap<Function>(mesh, o, np);
-}
 
 template <typename NamedParameters>
 Remeshing_result run(Mesh& mesh, const Function_view& function, const Options& o, const NamedParameters& np)
@@ -72,28 +44,18 @@ Remeshing_result run_with_sizes(Mesh& mesh, const Function_view& function, const
                            : run(mesh, function, o, np.number_of_target_faces(*sizes.number_of_faces));
 }
 
-template <typename RadialFunction>
-void build_function(const Mesh& mesh, const Options& options, Remeshed& remeshed)
-{
-  typedef CGAL::Rbf_implicit_function<Kernel, RadialFunction> Function;
-  Stopwatch stopwatch;
-  const Function function = build<Function>(mesh, options);
-  remeshed.function_seconds = stopwatch.seconds();
-  remeshed.function = Function_view::of(function);
-  remeshed.kernel = RadialFunction::name();
-  remeshed.rbf = function.diagnostics();
-}
-
 } // namespace
 
 Remeshed remesh(const Mesh& mesh, const Sizes& sizes, const Options& options, Progress& progress)
 {
   Remeshed remeshed;
   progress.stage("smooth function");
-  if (options.kernel == "thin-plate")
-    build_function<CGAL::Thin_plate_rbf>(mesh, options, remeshed);
-  else
-    build_function<CGAL::Polyharmonic_rbf>(mesh, options, remeshed);
+  Stopwatch stopwatch;
+  Built_function built = build_function(mesh, options);
+  remeshed.function_seconds = stopwatch.seconds();
+  remeshed.function = built.function;
+  remeshed.kernel = built.kernel;
+  remeshed.rbf = built.rbf;
   remeshed.mesh = mesh;
   is_listening() = 1;
   remeshed.result = run_with_sizes(remeshed.mesh, remeshed.function, sizes, options, progress);

@@ -44,6 +44,9 @@ CGAL_add_named_parameter(radial_function_t, radial_function, radial_function)
 CGAL_add_named_parameter(number_of_patches_t, number_of_patches, number_of_patches)
 CGAL_add_named_parameter(patch_overlap_t, patch_overlap, patch_overlap)
 CGAL_add_named_parameter(offset_distance_t, offset_distance, offset_distance)
+CGAL_add_named_parameter(relative_offset_distance_t, relative_offset_distance, relative_offset_distance)
+CGAL_add_named_parameter(two_sided_offsets_t, two_sided_offsets, two_sided_offsets)
+CGAL_add_named_parameter(smoothing_t, smoothing, smoothing)
 
 // tells the headers of this package that these names exist
 #  ifndef CGAL_AHR_NAMED_PARAMETERS_OVERLAY

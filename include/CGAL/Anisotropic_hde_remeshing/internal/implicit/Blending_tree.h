@@ -41,10 +41,13 @@ class Blending_tree
     double half_width = 0; // of the slab
     bool is_leaf = true;
     std::size_t left = 0; // index of the left child, the right one follows; of a leaf, its number
+    std::size_t parent = 0;
 
     double distance(const Vector& p) const { return normal.dot(p) - position; }
   };
 
+  // of the eigenvalues of the covariance, of which the sum is 1
+  static constexpr double least_difference_of_axes = 1e-6;
   static constexpr double offset_overlap = 1; // in units of the local spacing
   // of the points of a cell: where sampling is uneven, a slab as wide as a coarse region asks would swallow a dense one
   static constexpr double largest_share_of_slab = 0.4;
@@ -55,6 +58,7 @@ public:
     std::vector<std::size_t> points;     // those it interpolates, by increasing index
     std::vector<char> has_offset;        // of `points`: whether it interpolates their off-surface points, too
     std::vector<std::size_t> own_points; // those in its own cell; every point is in one
+    std::size_t node = 0;
   };
 
   Blending_tree() = default;
@@ -65,9 +69,7 @@ public:
                 const double overlap, const std::size_t maximum_leaf_size)
     : m_blending(blending), m_overlap(overlap), m_maximum_leaf_size(maximum_leaf_size)
   {
-    Points all{std::vector<std::size_t>(sample.size()), std::vector<char>(sample.size(), 1),
-               std::vector<double>(sample.size(), -1)};
-    std::iota(all.indices.begin(), all.indices.end(), std::size_t(0));
+    Points all = all_points(sample);
     std::vector<std::size_t> own = all.indices;
     m_nodes.emplace_back();
     subdivide(sample, 0, own, all, number_of_leaves);
@@ -81,35 +83,73 @@ public:
     std::vector<Leaf>().swap(m_leaves);
   }
 
-  // the blend at `p` of `leaf_value(number of the leaf)`, which returns Value_and_gradient
-  template <typename Leaf_value>
-  Value_and_gradient blend(const Vector& p, const Leaf_value& leaf_value, std::size_t node_index = 0) const
+  // the points of a leaf with another overlap: for a patch to be solved once more with a wider view
+  Leaf widened_leaf(const Surface_sample& sample, const std::size_t number, const double overlap) const
+  {
+    std::vector<std::size_t> path; // from the leaf to the root
+    for (std::size_t node = m_leaves[number].node; node != 0; node = m_nodes[node].parent)
+      path.push_back(node);
+    Points data = all_points(sample);
+    for (auto child = path.rbegin(); child != path.rend(); ++child)
+    {
+      const Node& parent = m_nodes[m_nodes[*child].parent];
+      data = points_of_side(sample, parent, data, *child == parent.left ? 0 : 1, overlap);
+    }
+    trim(data);
+    Leaf result = m_leaves[number];
+    result.points = std::move(data.indices);
+    result.has_offset = std::move(data.has_offset);
+    return result;
+  }
+
+  // the blend at `p` of `leaf_jet(number of the leaf)`, which returns a Jet of any order
+  template <typename Leaf_jet>
+  auto blend(const Vector& p, const Leaf_jet& leaf_jet, std::size_t node_index = 0) const
+      -> decltype(leaf_jet(std::size_t(0)))
+  {
+    constexpr int order = decltype(leaf_jet(std::size_t(0)))::order;
+    while (!m_nodes[node_index].is_leaf)
+    {
+      const Node& node = m_nodes[node_index];
+      const double distance = node.distance(p);
+      if (std::abs(distance) < node.half_width)
+      {
+        const Jet<order> weight =
+            smoothstep(plane_distance<order>(p, node.normal, node.position - node.half_width, 2 * node.half_width));
+        return interpolated(blend(p, leaf_jet, node.left), blend(p, leaf_jet, node.left + 1), weight);
+      }
+      node_index = node.left + (distance > 0 ? 1 : 0);
+    }
+    return leaf_jet(m_nodes[node_index].left);
+  }
+
+  // calls visit(number) for the leaves that count at `p`
+  template <typename Visitor>
+  void visit_leaves(const Vector& p, const Visitor& visit, std::size_t node_index = 0) const
   {
     while (!m_nodes[node_index].is_leaf)
     {
       const Node& node = m_nodes[node_index];
       const double distance = node.distance(p);
       if (std::abs(distance) < node.half_width)
-        return blend_sides(blend(p, leaf_value, node.left), blend(p, leaf_value, node.left + 1), node, distance);
-      node_index = node.left + (distance > 0 ? 1 : 0);
+        visit_leaves(p, visit, node.left);
+      node_index = node.left + (distance > -node.half_width ? 1 : 0);
     }
-    return leaf_value(m_nodes[node_index].left);
+    visit(m_nodes[node_index].left);
   }
+
+  // calls visit(normal, position, half-width) for the slab of every inner node
+  template <typename Visitor>
+  void visit_slabs(const Visitor& visit) const
+  {
+    for (const Node& node : m_nodes)
+      if (!node.is_leaf)
+        visit(node.normal, node.position, node.half_width);
+  }
+
+  std::size_t memory_bytes() const { return m_nodes.size() * sizeof(Node); }
 
 private:
-  static Value_and_gradient blend_sides(const Value_and_gradient& left, const Value_and_gradient& right,
-                                        const Node& node, const double distance)
-  {
-    const double t = 0.5 + 0.5 * distance / node.half_width;
-    const double weight = t * t * t * (10 + t * (6 * t - 15));
-    const double slope = 30 * t * t * (1 - t) * (1 - t) * 0.5 / node.half_width;
-    Value_and_gradient result;
-    result.value = left.value + weight * (right.value - left.value);
-    result.gradient = left.gradient + weight * (right.gradient - left.gradient);
-    result.gradient += slope * (right.value - left.value) * node.normal;
-    return result;
-  }
-
   struct Points
   {
     std::vector<std::size_t> indices;
@@ -119,7 +159,16 @@ private:
     std::size_t size() const { return indices.size(); }
   };
 
-  void subdivide(const Surface_sample& sample, const std::size_t node_index, std::vector<std::size_t>& own, Points& data, const std::size_t number_of_leaves)
+  static Points all_points(const Surface_sample& sample)
+  {
+    Points all{std::vector<std::size_t>(sample.size()), std::vector<char>(sample.size(), 1),
+               std::vector<double>(sample.size(), -1)};
+    std::iota(all.indices.begin(), all.indices.end(), std::size_t(0));
+    return all;
+  }
+
+  void subdivide(const Surface_sample& sample, const std::size_t node_index, std::vector<std::size_t>& own, Points& data,
+                 const std::size_t number_of_leaves)
   {
     const bool is_too_large = data.size() > m_maximum_leaf_size && own.size() > 1;
     if ((number_of_leaves > 1 && own.size() > 1) || is_too_large)
@@ -128,7 +177,8 @@ private:
       std::vector<std::size_t> own_of[2];
       Points data_of[2];
       distribute_own_points(sample, node, own, own_of);
-      distribute_data(sample, node, data, data_of);
+      for (int side = 0; side < 2; ++side)
+        data_of[side] = points_of_side(sample, node, data, side, m_overlap);
       const bool is_worth_it = !own_of[0].empty() && !own_of[1].empty() &&
                                (number_of_leaves > 1 ||
                                 10 * (std::max)(data_of[0].size(), data_of[1].size()) < 9 * data.size());
@@ -137,9 +187,12 @@ private:
         std::vector<std::size_t>().swap(own);
         data = Points();
         const std::size_t left = m_nodes.size();
+        const std::size_t parent = m_nodes[node_index].parent;
         m_nodes[node_index] = node;
         m_nodes[node_index].left = left;
+        m_nodes[node_index].parent = parent;
         m_nodes.resize(left + 2);
+        m_nodes[left].parent = m_nodes[left + 1].parent = node_index;
         subdivide(sample, left, own_of[0], data_of[0], (number_of_leaves + 1) / 2);
         subdivide(sample, left + 1, own_of[1], data_of[1], (std::max)(number_of_leaves / 2, std::size_t(1)));
         return;
@@ -148,7 +201,7 @@ private:
     m_nodes[node_index].is_leaf = true;
     m_nodes[node_index].left = m_leaves.size();
     trim(data);
-    m_leaves.push_back(Leaf{std::move(data.indices), std::move(data.has_offset), std::move(own)});
+    m_leaves.push_back(Leaf{std::move(data.indices), std::move(data.has_offset), std::move(own), node_index});
   }
 
   // A leaf that is too large after all keeps the points of its zone of influence and those nearest to it.
@@ -179,7 +232,7 @@ private:
     std::vector<std::pair<double, std::size_t>> coordinates;
     coordinates.reserve(own.size());
     for (const std::size_t i : own)
-      coordinates.emplace_back(node.normal.dot(sample.points[i]), i);
+      coordinates.emplace_back(rounded(node.normal.dot(sample.points[i])), i);
     const std::size_t leaves = (std::max)(number_of_leaves, std::size_t(2));
     const std::size_t middle =
         (std::min)((std::max)(own.size() * ((leaves + 1) / 2) / leaves, std::size_t(1)), own.size() - 1);
@@ -203,8 +256,24 @@ private:
     if (!(trace > 0))
       return Vector::UnitX();
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(covariance / trace);
-    return axes.eigenvectors().col(2);
+    // On symmetric shapes two axes may be equally long, and which one is found hangs on rounding: then a coordinate axis.
+    if (axes.eigenvalues()[2] - axes.eigenvalues()[1] > least_difference_of_axes)
+    {
+      const Vector axis = axes.eigenvectors().col(2);
+      Eigen::Index largest;
+      axis.cwiseAbs().maxCoeff(&largest);
+      return axis[largest] < 0 ? Vector(-axis) : axis;
+    }
+    Eigen::Index longest = 0;
+    for (Eigen::Index k = 1; k < 3; ++k)
+      if (covariance(k, k) > covariance(longest, longest) + least_difference_of_axes * trace)
+        longest = k;
+    return Vector::Unit(longest);
   }
+
+  // The last bits of a coordinate depend on the unit and the place of the input: without them the points of a symmetric shape
+  // are divided in the same way everywhere. Coordinates are below 1.
+  static double rounded(const double coordinate) { return std::nearbyint(std::ldexp(coordinate, 30)) * std::ldexp(1., -30); }
 
   // the half-width of the slab that holds `largest_share_of_slab` of the points
   static double widest_slab(std::vector<std::pair<double, std::size_t>>& coordinates, const double position)
@@ -233,27 +302,27 @@ private:
                                     std::vector<std::size_t> (&to)[2])
   {
     for (const std::size_t i : from)
-      to[node.distance(sample.points[i]) > 0 ? 1 : 0].push_back(i);
+      to[rounded(node.normal.dot(sample.points[i])) > node.position ? 1 : 0].push_back(i);
   }
 
   // The overlap is measured in the spacing of the point itself: next to a coarse region a dense one adds few points. Off-
   // surface points are needed where the patch counts and a little beyond: farther out they cost more than they help.
-  void distribute_data(const Surface_sample& sample, const Node& node, const Points& from, Points (&to)[2]) const
+  static Points points_of_side(const Surface_sample& sample, const Node& node, const Points& from, const int side,
+                               const double overlap)
   {
+    Points to;
     for (std::size_t k = 0; k < from.size(); ++k)
     {
       const std::size_t i = from.indices[k];
       const double distance = node.distance(sample.points[i]);
-      for (int side = 0; side < 2; ++side)
-      {
-        const double beyond = (side == 0 ? distance : -distance) - node.half_width;
-        if (beyond > m_overlap * sample.spacings[i])
-          continue;
-        to[side].indices.push_back(i);
-        to[side].has_offset.push_back(from.has_offset[k] && beyond <= offset_overlap * sample.spacings[i]);
-        to[side].beyond.push_back((std::max)(from.beyond[k], beyond / sample.spacings[i]));
-      }
+      const double beyond = ((side == 0 ? distance : -distance) - node.half_width) / sample.spacings[i];
+      if (!(beyond <= overlap + 1e-9)) // points of a grid may be exactly there
+        continue;
+      to.indices.push_back(i);
+      to.has_offset.push_back(from.has_offset[k] && beyond <= offset_overlap);
+      to.beyond.push_back((std::max)(from.beyond[k], beyond));
     }
+    return to;
   }
 
   double m_blending = 1, m_overlap = 0;

@@ -11,84 +11,104 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
-#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Value_and_gradient.h>
-
-#include <CGAL/assertions.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Jet.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Kernel_sum.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Quadratic_polynomial.h>
 
 #include <Eigen/Core>
 
+#include <cmath>
 #include <cstddef>
 
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// The interpolant of a patch, s(x) = sum_j alpha_j phi(|y - y_j|) + beta_0 + beta . y with y = (x - centre) / radius, so
-// that the system and the sums are those of the unit ball wherever and however large the patch is (the paper's (9), (10)).
+// the coordinates of a patch, y = (x - centre) / unit, in which the local spacing is 1: the systems and the sums have the same
+// size wherever the patch is and however large
+struct Patch_frame
+{
+  Vector centre = Vector::Zero();
+  double unit = 1;
+
+  Vector operator()(const Vector& p) const { return (p - centre) / unit; }
+};
+
+// the interpolant of a patch, s(x) = unit (sum_j alpha_j phi(|y - y_j|) + a polynomial in y), the paper's (9) and (10)
 template <typename RadialFunction>
 class Local_interpolant
 {
-  // the number of centres that one step of the loop takes: two registers of AVX, four of SSE2
-  static constexpr Eigen::Index lanes = 8;
-  typedef Eigen::Array<double, lanes, 1> Lanes;
+  // r^-16: the sum over the centres is a smooth measure of the distance to the nearest of them
+  struct Inverse_power
+  {
+    double inverse_scale;
 
-  // blocks of x, y, z, weight, `lanes` numbers each
-  typedef Eigen::Array<double, lanes, Eigen::Dynamic> Blocks;
+    template <class T>
+    void operator()(const T& squared_radius, T& value, T& first) const
+    {
+      const T r2 = inverse_scale * squared_radius;
+      const T r4 = r2 * r2, r8 = r4 * r4;
+      value = 1. / (r8 * r8);
+      first = (-16. * inverse_scale) * value / r2;
+    }
+
+    template <class T>
+    void operator()(const T& squared_radius, T& value, T& first, T& second) const
+    {
+      (*this)(squared_radius, value, first);
+      second = (-18. * inverse_scale) * first / (inverse_scale * squared_radius);
+    }
+  };
 
 public:
   typedef Eigen::Matrix<double, 3, Eigen::Dynamic> Points;
 
   Local_interpolant() = default;
 
-  // `centres` are in the coordinates of the unit ball
-  Local_interpolant(const Vector& centre, const double radius, const Points& centres, const Eigen::VectorXd& weights,
-                    const Eigen::Vector4d& polynomial, const RadialFunction& function)
-    : m_centre(centre), m_radius(radius), m_polynomial(polynomial), m_function(function)
+  // `centres` are in the coordinates of the frame
+  Local_interpolant(const Patch_frame& frame, const Points& centres, const Eigen::VectorXd& weights,
+                    const Quadratic_polynomial& polynomial, const RadialFunction& function)
+    : m_frame(frame), m_polynomial(polynomial), m_sum(centres, weights, function)
   {
-    const Eigen::Index number_of_blocks = (centres.cols() + lanes - 1) / lanes;
-    m_blocks = Blocks::Zero(lanes, 4 * number_of_blocks); // padding: centres at the origin with weight 0
-    for (Eigen::Index i = 0; i < centres.cols(); ++i)
-    {
-      const Eigen::Index column = 4 * (i / lanes), lane = i % lanes;
-      for (Eigen::Index k = 0; k < 3; ++k)
-        m_blocks(lane, column + k) = centres(k, i);
-      m_blocks(lane, column + 3) = weights[i];
-    }
   }
 
-  Value_and_gradient operator()(const Vector& p) const
+  // `squared_distance` to the nearest centre is in units of the frame
+  template <int order>
+  Jet<order> evaluate(const Vector& p, double& squared_distance) const
   {
-    const Vector y = (p - m_centre) / m_radius;
-    Lanes value = Lanes::Zero(), gradient_x = Lanes::Zero(), gradient_y = Lanes::Zero(), gradient_z = Lanes::Zero();
-    for (Eigen::Index column = 0; column < m_blocks.cols(); column += 4)
-    {
-      const Lanes x_difference = y[0] - m_blocks.col(column);
-      const Lanes y_difference = y[1] - m_blocks.col(column + 1);
-      const Lanes z_difference = y[2] - m_blocks.col(column + 2);
-      const Lanes squared_radius =
-          x_difference * x_difference + y_difference * y_difference + z_difference * z_difference;
-      Lanes phi, derivative_over_radius;
-      m_function(squared_radius, phi, derivative_over_radius);
-      value += m_blocks.col(column + 3) * phi;
-      derivative_over_radius *= m_blocks.col(column + 3);
-      gradient_x += derivative_over_radius * x_difference;
-      gradient_y += derivative_over_radius * y_difference;
-      gradient_z += derivative_over_radius * z_difference;
-    }
-    Value_and_gradient result;
-    result.value = m_radius * (value.sum() + m_polynomial[0] + m_polynomial.tail<3>().dot(y));
-    result.gradient = Vector(gradient_x.sum(), gradient_y.sum(), gradient_z.sum()) + m_polynomial.tail<3>();
+    const Vector y = m_frame(p);
+    Jet<order> result = m_sum.template evaluate<order>(y, squared_distance);
+    m_polynomial.add_to(result, y);
+    result.value *= m_frame.unit;
+    if constexpr (order >= 2)
+      result.hessian /= m_frame.unit;
     return result;
   }
 
-  std::size_t memory_bytes() const { return sizeof(*this) + sizeof(double) * std::size_t(m_blocks.size()); }
+  // A smooth function that is at most the distance to the nearest centre and close to it, in units of the frame.
+  // `squared_distance` is that distance, squared, for the scale of the sums.
+  template <int order>
+  Jet<order> smooth_distance(const Vector& p, const double squared_distance) const
+  {
+    Jet<order> sum =
+        m_sum.template evaluate_unweighted<order>(m_frame(p), Inverse_power{1. / squared_distance});
+    if constexpr (order >= 1)
+      sum.gradient /= m_frame.unit;
+    if constexpr (order >= 2)
+      sum.hessian /= m_frame.unit * m_frame.unit;
+    const double root = std::sqrt(squared_distance) * std::pow(sum.value, -1. / 16);
+    return composed(root, -root / (16 * sum.value), 17 * root / (256 * sum.value * sum.value), sum);
+  }
+
+  double unit() const { return m_frame.unit; }
+  const RadialFunction& function() const { return m_sum.function(); }
+
+  std::size_t memory_bytes() const { return sizeof(*this) + m_sum.memory_bytes(); }
 
 private:
-  Vector m_centre = Vector::Zero();
-  double m_radius = 1;
-  Eigen::Vector4d m_polynomial = Eigen::Vector4d::Zero();
-  Blocks m_blocks;
-  RadialFunction m_function;
+  Patch_frame m_frame;
+  Quadratic_polynomial m_polynomial;
+  Kernel_sum<RadialFunction> m_sum;
 };
 
 } // namespace internal

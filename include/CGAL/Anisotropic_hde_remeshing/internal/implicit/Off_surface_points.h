@@ -22,9 +22,10 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// The offset eps_i of every off-surface point x_i + eps_i n_i (the paper's (12)). It is halved while the off-surface point
-// is nearer to another point of the surface than to x_i: there its distance to the surface is not eps_i, and the constraint
-// would raise a sheet that the surface does not have. An offset of 0 means that x_i has no off-surface point.
+// The offset eps_i of every off-surface point x_i + eps_i n_i (the paper's (12)), and, if both sides are asked for, of the
+// inner one, x_i - eps_i n_i. It is halved while the off-surface point is nearer to another point of the surface than to x_i:
+// there its distance to the surface is not eps_i, and the constraint would raise a sheet that the surface does not have. An
+// offset of 0 means that x_i has no off-surface point on that side.
 template <typename ConcurrencyTag>
 class Off_surface_points
 {
@@ -33,8 +34,8 @@ class Off_surface_points
 public:
   // `relative_offset` is in units of the local spacing; a positive `absolute_offset` replaces it
   Off_surface_points(const Surface_sample& sample, const Blending_tree& tree, const double relative_offset,
-                     const double absolute_offset)
-    : m_offsets(sample.size(), 0.), m_is_shortened(sample.size(), 0)
+                     const double absolute_offset, const bool on_both_sides)
+    : m_outer(sample.size(), 0.), m_inner(on_both_sides ? sample.size() : 0, 0.), m_is_shortened(sample.size(), 0)
   {
     parallel_for<ConcurrencyTag>(
         tree.leaves().size(),
@@ -44,14 +45,19 @@ public:
           for (const std::size_t i : leaf.own_points)
           {
             const double offset = absolute_offset > 0 ? absolute_offset : relative_offset * sample.spacings[i];
-            m_offsets[i] = valid_offset(sample, leaf, i, offset);
-            m_is_shortened[i] = m_offsets[i] != offset;
+            m_outer[i] = valid_offset(sample, leaf, i, offset, 1);
+            m_is_shortened[i] = m_outer[i] != offset;
+            if (!on_both_sides)
+              continue;
+            m_inner[i] = valid_offset(sample, leaf, i, offset, -1);
+            m_is_shortened[i] = m_is_shortened[i] || m_inner[i] != offset;
           }
         },
         1);
   }
 
-  double offset(const std::size_t i) const { return m_offsets[i]; }
+  double outer(const std::size_t i) const { return m_outer[i]; }
+  double inner(const std::size_t i) const { return m_inner.empty() ? 0. : m_inner[i]; }
 
   std::size_t number_of_shortened_offsets() const
   {
@@ -60,12 +66,12 @@ public:
 
 private:
   static double valid_offset(const Surface_sample& sample, const Blending_tree::Leaf& leaf, const std::size_t i,
-                             double offset)
+                             double offset, const double side)
   {
     if (sample.normals[i].isZero(0))
       return 0;
     for (int halving = 0; halving <= largest_number_of_halvings; ++halving, offset *= 0.5)
-      if (is_nearest(sample, leaf, i, offset))
+      if (is_nearest(sample, leaf, i, side * offset))
         return offset;
     return 0;
   }
@@ -80,7 +86,7 @@ private:
     return true;
   }
 
-  std::vector<double> m_offsets;
+  std::vector<double> m_outer, m_inner; // the latter is empty for one side
   std::vector<char> m_is_shortened;
 };
 

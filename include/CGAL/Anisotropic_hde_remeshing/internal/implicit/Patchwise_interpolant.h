@@ -13,10 +13,10 @@
 
 #include <CGAL/Anisotropic_hde_remeshing/Rbf_diagnostics.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Blending_tree.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Interpolation_system.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Local_interpolant.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Off_surface_points.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Tangent_plane_blend.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Patch_check.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Patch_solver.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Signed_distance.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
 
 #include <CGAL/Real_timer.h>
@@ -24,6 +24,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -33,53 +35,78 @@ namespace internal {
 // the parameters of the interpolant, checked; lengths in units of the local spacing but for the absolute offset
 struct Interpolation_parameters
 {
-  std::size_t number_of_patches = 0; // 0: one a number of points that measured best
-  double patch_overlap = 3;
+  std::size_t number_of_patches = 0; // 0: patches_of() the number of points
+  double patch_overlap = 2.5;
   double patch_blending = 0.6;
   double relative_offset = 0.05;
   double absolute_offset = 0; // 0: the relative one
+  bool offsets_on_both_sides = false;
+  double smoothing = 0;
+
+  // 25 points a patch measured best, in the time to build and to evaluate
+  static std::size_t patches_of(const std::size_t number_of_points) { return (number_of_points + 24) / 25; }
 };
 
-// The function s of the paper's Algorithm 1 in plain numbers: a local interpolant a patch, blended by the tree.
+// The function s of the paper's Algorithm 1 in plain numbers: a local interpolant a patch, checked and repaired, blended by the
+// tree; far from the points the signed distance to the input.
 template <typename RadialFunction, typename ConcurrencyTag>
 class Patchwise_interpolant
 {
   typedef Local_interpolant<RadialFunction> Interpolant;
   typedef Off_surface_points<ConcurrencyTag> Offsets;
+  typedef Patch_solver<RadialFunction, ConcurrencyTag> Solver_of_patch;
+  typedef std::shared_ptr<const Surface_sample> Sample_ptr;
+  typedef std::shared_ptr<const Signed_distance> Distance_ptr;
 
-  static constexpr std::size_t points_per_patch = 25;
   // of the points that a patch in the plane would have
   static constexpr double largest_excess_of_points = 2;
+  // a dense system of twice as many centres is the largest that is solved in seconds
+  static constexpr std::size_t largest_dense_patch = 3000;
+
+  // From where to where the function passes from the interpolant to the signed distance, in units of the local spacing. The
+  // constraints reach one spacing from the points at most; two are checked.
+  static constexpr double begin_of_far = 2.5, end_of_far = 3.5;
+  // the same in units of the support of the kernel, beyond which it says nothing
+  static constexpr double begin_of_support_end = 0.6, end_of_support_end = 0.9;
+
+  // of the checks of a patch, beyond which the input itself is better than the interpolant
+  static constexpr double largest_share_of_failures = 0.05;
+  // beyond which nothing is tried
+  static constexpr double largest_repairable_share = 0.1;
+  // in place of a number of failures
+  static constexpr std::size_t no_solution = std::size_t(1) << 40;
 
 public:
-  Patchwise_interpolant(const Surface_sample& sample, const Interpolation_parameters& parameters,
-                        const RadialFunction& function)
+  Patchwise_interpolant(Sample_ptr sample, Distance_ptr distance, const Interpolation_parameters& parameters,
+                        const RadialFunction& function, const double unit_of_length)
+    : m_sample(std::move(sample)), m_distance(std::move(distance))
   {
     Real_timer timer;
     timer.start();
     const std::size_t number_of_patches = parameters.number_of_patches > 0
                                               ? parameters.number_of_patches
-                                              : (sample.size() + points_per_patch - 1) / points_per_patch;
-    const std::size_t maximum_size = maximum_points_of_patch(double(sample.size()) / double(number_of_patches), parameters);
-    m_tree = Blending_tree(sample, number_of_patches, parameters.patch_blending, parameters.patch_overlap, maximum_size);
+                                              : Interpolation_parameters::patches_of(m_sample->size());
+    m_tree = Blending_tree(*m_sample, number_of_patches, parameters.patch_blending, parameters.patch_overlap,
+                           maximum_points_of_patch(number_of_patches, parameters));
     m_diagnostics.partition_seconds = timer.time();
     timer.reset();
-    const Offsets offsets(sample, m_tree, parameters.relative_offset, parameters.absolute_offset);
+    const Offsets offsets(*m_sample, m_tree, parameters.relative_offset, parameters.absolute_offset,
+                          parameters.offsets_on_both_sides);
     m_diagnostics.constraint_seconds = timer.time();
     timer.reset();
-    solve(sample, offsets, function);
+    solve(Solver_of_patch(*m_sample, offsets, function, unit_of_length), parameters);
     m_diagnostics.solve_seconds = timer.time();
-    m_diagnostics.number_of_points = sample.size();
-    m_diagnostics.number_of_isolated_vertices = sample.number_of_isolated_vertices;
-    m_diagnostics.number_of_duplicate_points = sample.number_of_duplicate_points;
     m_diagnostics.number_of_shortened_offsets = offsets.number_of_shortened_offsets();
     m_tree.release_points();
   }
 
-  Value_and_gradient operator()(const Vector& p) const
+  template <int order>
+  Jet<order> evaluate(const Vector& p) const
   {
-    return m_tree.blend(p, [&](const std::size_t k) { return m_patches[k](p); });
+    return m_tree.blend(p, [&](const std::size_t k) { return evaluate_patch<order>(m_patches[k], p); });
   }
+
+  const Blending_tree& tree() const { return m_tree; }
 
   const Rbf_diagnostics& diagnostics() const { return m_diagnostics; }
 
@@ -87,109 +114,191 @@ private:
   struct Patch
   {
     Interpolant interpolant;
-    Tangent_plane_blend fallback; // empty unless the interpolant could not be found
-
-    Value_and_gradient operator()(const Vector& p) const { return fallback.empty() ? interpolant(p) : fallback(p); }
+    bool is_on_fallback = false;
+    double begin_of_far = 0, end_of_far = 0; // in the unit of the interpolant
   };
 
-  // what a patch tells the diagnostics
-  struct Patch_record
+  // where the patches are checked
+  struct Places
   {
-    std::size_t number_of_centres = 0;
-    double relative_residual = 0;
-    Solver solver = Solver::FAILED;
+    std::vector<Patch_check::Place> places;
+    std::vector<std::vector<std::size_t>> of_leaves; // those at which a leaf counts
+  };
+
+  struct Patch_result
+  {
+    Patch_record record;
+    std::size_t failures = 0;
+    bool is_repaired = false;
   };
 
   // A patch of n points in the plane is about sqrt(n) spacings wide, and gathers points over its margins on either side.
-  static std::size_t maximum_points_of_patch(const double own_points, const Interpolation_parameters& parameters)
+  std::size_t maximum_points_of_patch(const std::size_t number_of_patches, const Interpolation_parameters& parameters) const
   {
+    const double own_points = double(m_sample->size()) / double(number_of_patches);
     const double width = std::sqrt(own_points) + 2 * (parameters.patch_blending + parameters.patch_overlap);
-    return std::size_t(largest_excess_of_points * width * width);
+    const std::size_t maximum = std::size_t(largest_excess_of_points * width * width);
+    return Has_compact_support<RadialFunction>::value ? maximum : (std::min)(maximum, largest_dense_patch);
   }
 
-  void solve(const Surface_sample& sample, const Offsets& offsets, const RadialFunction& function)
+  void solve(const Solver_of_patch& solver, const Interpolation_parameters& parameters)
   {
     const std::size_t n = m_tree.leaves().size();
     m_patches.resize(n);
-    std::vector<Patch_record> records(n);
+    const Places places = places_of_leaves();
+    std::vector<Patch_result> results(n);
     parallel_for<ConcurrencyTag>(
-        n,
-        [&](const std::size_t k)
-        { records[k] = solve_patch(sample, offsets, function, m_tree.leaves()[k], m_patches[k]); },
-        1);
-    summarise(records);
+        n, [&](const std::size_t k) { results[k] = solve_patch(solver, places, parameters, k); }, 1);
+    summarise(results);
   }
 
-  static Patch_record solve_patch(const Surface_sample& sample, const Offsets& offsets, const RadialFunction& function,
-                                  const Blending_tree::Leaf& leaf, Patch& patch)
+  // Solves a patch and checks it. Where it fails, tries smaller offsets, smoothing, and that with a wider view, and keeps the
+  // best. If that is not good enough either, the patch is answered by the input itself.
+  Patch_result solve_patch(const Solver_of_patch& solver, const Places& places, const Interpolation_parameters& parameters,
+                           const std::size_t k)
   {
-    Vector low = sample.points[leaf.points.front()], high = low;
-    for (const std::size_t i : leaf.points)
+    static constexpr double smaller_offset = 0.25, repairing_smoothing = 0.01, wider_overlap = 1.5;
+    const Blending_tree::Leaf& leaf = m_tree.leaves()[k];
+    Patch_result best = attempt(solver, places, k, leaf, Patch_settings{1, parameters.smoothing}, m_patches[k]);
+    const double number_of_checks = double(Patch_check::checks_of_place * places.of_leaves[k].size());
+    const auto attempt_again = [&](const Blending_tree::Leaf& points, const Patch_settings& settings)
     {
-      low = low.cwiseMin(sample.points[i]);
-      high = high.cwiseMax(sample.points[i]);
-    }
-    const Vector centre = 0.5 * (low + high);
-    const double radius = (std::max)(0.5 * (high - low).norm(), sample.spacings[leaf.points.front()]);
-
-    Patch_record record;
-    typename Interpolant::Points centres;
-    Eigen::VectorXd data;
-    const bool has_off_surface_points = constraints(sample, offsets, leaf, centre, radius, centres, data);
-    record.number_of_centres = std::size_t(centres.cols());
-    if (has_off_surface_points && centres.cols() > 4)
+      if (best.failures == 0 || double(best.failures) > largest_repairable_share * number_of_checks)
+        return;
+      Patch patch;
+      const Patch_result result = attempt(solver, places, k, points, settings, patch);
+      if (2 * result.failures > best.failures)
+        return;
+      best = result;
+      best.is_repaired = true;
+      m_patches[k] = std::move(patch);
+    };
+    const double smoothing = parameters.smoothing + repairing_smoothing;
+    attempt_again(leaf, Patch_settings{smaller_offset, parameters.smoothing});
+    attempt_again(leaf, Patch_settings{1, smoothing});
+    if (best.failures > 0)
+      attempt_again(m_tree.widened_leaf(*m_sample, k, wider_overlap * parameters.patch_overlap),
+                    Patch_settings{1, smoothing});
+    if (double(best.failures) > largest_share_of_failures * number_of_checks)
     {
-      const Interpolation_coefficients solution = Interpolation_system<RadialFunction>(centres, function).solve(data);
-      record.relative_residual = solution.relative_residual;
-      record.solver = solution.solver;
-      if (solution.solver != Solver::FAILED)
-        patch.interpolant =
-            Interpolant(centre, radius, centres, solution.weights, solution.polynomial, function);
+      m_patches[k].is_on_fallback = true;
+      m_patches[k].interpolant = Interpolant();
+      best.failures = 0;
     }
-    if (record.solver == Solver::FAILED)
-      patch.fallback = Tangent_plane_blend(sample, leaf.points);
-    return record;
+    return best;
   }
 
-  // the centres and the data of a patch in the coordinates of its unit ball, the paper's (12)
-  static bool constraints(const Surface_sample& sample, const Offsets& offsets, const Blending_tree::Leaf& leaf,
-                          const Vector& centre, const double radius, typename Interpolant::Points& centres,
-                          Eigen::VectorXd& data)
+  // one solution of a patch; if there is none, its number of failures is infinite
+  Patch_result attempt(const Solver_of_patch& solver, const Places& places, const std::size_t k,
+                       const Blending_tree::Leaf& leaf, const Patch_settings& settings, Patch& patch) const
   {
-    std::vector<std::size_t> off_surface;
-    for (std::size_t k = 0; k < leaf.points.size(); ++k)
-      if (leaf.has_offset[k] && offsets.offset(leaf.points[k]) > 0)
-        off_surface.push_back(leaf.points[k]);
-    centres.resize(3, Eigen::Index(leaf.points.size() + off_surface.size()));
-    data = Eigen::VectorXd::Zero(centres.cols());
-    Eigen::Index next = 0;
-    for (const std::size_t i : leaf.points)
-      centres.col(next++) = (sample.points[i] - centre) / radius;
-    for (const std::size_t i : off_surface)
-    {
-      centres.col(next) = (sample.points[i] - centre + offsets.offset(i) * sample.normals[i]) / radius;
-      data[next++] = offsets.offset(i) / radius;
-    }
-    return !off_surface.empty();
+    Patch_result result;
+    Solved_patch<RadialFunction> solved = solver(leaf, settings);
+    result.record = solved.record;
+    patch.is_on_fallback = solved.record.solver == Solver::FAILED;
+    patch.interpolant = std::move(solved.interpolant);
+    set_far(m_tree.leaves()[k], patch);
+    result.failures = patch.is_on_fallback ? no_solution : number_of_failures(places, k, patch);
+    return result;
   }
 
-  void summarise(const std::vector<Patch_record>& records)
+  std::size_t number_of_failures(const Places& places, const std::size_t k, const Patch& patch) const
   {
-    m_diagnostics.number_of_patches = records.size();
-    for (const Patch_record& record : records)
+    const Patch_check check(*m_sample, *m_distance);
+    const auto function = [&](const Vector& p) { return evaluate_patch<1>(patch, p); };
+    std::size_t failures = 0;
+    for (const std::size_t i : places.of_leaves[k])
+      failures += check.failures(places.places[i], i, function);
+    return failures;
+  }
+
+  void set_far(const Blending_tree::Leaf& leaf, Patch& patch) const
+  {
+    double largest_spacing = 0;
+    for (const std::size_t i : leaf.own_points)
+      largest_spacing = (std::max)(largest_spacing, m_sample->spacings[i]);
+    patch.begin_of_far = begin_of_far * largest_spacing / patch.interpolant.unit();
+    patch.end_of_far = end_of_far * largest_spacing / patch.interpolant.unit();
+    if constexpr (Has_compact_support<RadialFunction>::value)
     {
-      m_diagnostics.mean_centres += double(record.number_of_centres) / double(records.size());
+      const double support = patch.interpolant.function().support_radius();
+      patch.begin_of_far = (std::min)(patch.begin_of_far, begin_of_support_end * support);
+      patch.end_of_far = (std::min)(patch.end_of_far, end_of_support_end * support);
+    }
+  }
+
+  Places places_of_leaves() const
+  {
+    Places result;
+    result.places = Patch_check(*m_sample, *m_distance).places();
+    result.of_leaves.resize(m_tree.leaves().size());
+    for (std::size_t i = 0; i < result.places.size(); ++i)
+      m_tree.visit_leaves(result.places[i].point, [&](const std::size_t k) { result.of_leaves[k].push_back(i); });
+    return result;
+  }
+
+  template <int order>
+  Jet<order> evaluate_patch(const Patch& patch, const Vector& p) const
+  {
+    if (patch.is_on_fallback)
+      return constant_beyond_gradient<order>(m_distance->with_interpolated_normals(p));
+    double squared_distance;
+    const Jet<order> near = patch.interpolant.template evaluate<order>(p, squared_distance);
+    if (squared_distance <= patch.begin_of_far * patch.begin_of_far)
+      return near;
+    const Jet<order> far = constant_beyond_gradient<order>(m_distance->distance(p));
+    // the smooth distance is two thirds of the true one at least
+    if (squared_distance >= 2.25 * patch.end_of_far * patch.end_of_far)
+      return far;
+    Jet<order> t = patch.interpolant.template smooth_distance<order>(p, squared_distance);
+    if (t.value <= patch.begin_of_far)
+      return near;
+    if (t.value >= patch.end_of_far)
+      return far;
+    const double width = patch.end_of_far - patch.begin_of_far;
+    t = composed((t.value - patch.begin_of_far) / width, 1. / width, 0., t);
+    return interpolated(near, far, smoothstep(t));
+  }
+
+  // a distance is linear but for the curvature of what it is measured to
+  template <int order>
+  static Jet<order> constant_beyond_gradient(const Value_and_gradient& jet)
+  {
+    Jet<order> result;
+    result.value = jet.value;
+    if constexpr (order >= 1)
+      result.gradient = jet.gradient;
+    return result;
+  }
+
+  void summarise(const std::vector<Patch_result>& results)
+  {
+    m_diagnostics.number_of_patches = results.size();
+    m_diagnostics.memory_bytes = m_tree.memory_bytes() + memory_bytes_of(*m_sample);
+    for (std::size_t k = 0; k < results.size(); ++k)
+    {
+      const Patch_record& record = results[k].record;
+      m_diagnostics.mean_centres += double(record.number_of_centres) / double(results.size());
       m_diagnostics.max_centres = (std::max)(m_diagnostics.max_centres, record.number_of_centres);
-      if (record.solver != Solver::FAILED)
-        m_diagnostics.worst_residual = (std::max)(m_diagnostics.worst_residual, record.relative_residual);
+      m_diagnostics.memory_bytes += m_patches[k].interpolant.memory_bytes();
+      m_diagnostics.number_of_failed_checks += results[k].failures;
+      if (m_patches[k].is_on_fallback)
+      {
+        ++m_diagnostics.patches_on_fallback;
+        continue;
+      }
+      m_diagnostics.worst_residual = (std::max)(m_diagnostics.worst_residual, record.relative_residual);
+      m_diagnostics.worst_value_residual = (std::max)(m_diagnostics.worst_value_residual, record.value_residual);
+      m_diagnostics.worst_condition = (std::max)(m_diagnostics.worst_condition, record.condition);
+      m_diagnostics.patches_repaired += results[k].is_repaired ? 1 : 0;
       m_diagnostics.patches_with_ridge += record.solver == Solver::CHOLESKY_WITH_RIDGE ? 1 : 0;
+      m_diagnostics.patches_with_sparse_cholesky += record.solver == Solver::SPARSE_CHOLESKY ? 1 : 0;
       m_diagnostics.patches_with_lu += record.solver == Solver::LU ? 1 : 0;
-      m_diagnostics.patches_on_fallback += record.solver == Solver::FAILED ? 1 : 0;
     }
-    for (const Patch& patch : m_patches)
-      m_diagnostics.memory_bytes += patch.interpolant.memory_bytes() + patch.fallback.memory_bytes();
   }
 
+  Sample_ptr m_sample;
+  Distance_ptr m_distance;
   Blending_tree m_tree;
   std::vector<Patch> m_patches;
   Rbf_diagnostics m_diagnostics;

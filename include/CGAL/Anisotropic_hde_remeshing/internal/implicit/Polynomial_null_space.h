@@ -41,6 +41,14 @@ public:
 
   Eigen::Index number_of_polynomials() const { return m_v.cols(); }
 
+  // how well the points determine the polynomials, from 0, not at all, to 1
+  double independence() const
+  {
+    const Eigen::ArrayXd diagonal = m_r.diagonal().array().abs();
+    const double largest = diagonal.size() > 0 ? diagonal.maxCoeff() : 1.;
+    return largest > 0 ? diagonal.minCoeff() / largest : 0.;
+  }
+
   // Q^T b
   Eigen::VectorXd transformed(const Eigen::VectorXd& b) const
   {

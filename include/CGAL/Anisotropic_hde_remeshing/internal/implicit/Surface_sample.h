@@ -11,11 +11,13 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
-#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Value_and_gradient.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/Closest_facet.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Jet.h>
 
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <sstream>
@@ -28,17 +30,56 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// what the implicit function is built from: points of the surface, their unit normals, the distance to their neighbours
+// What the implicit function is built from: points of the surface, their unit normals, the distance to their neighbours, and
+// the facets between them if they are the vertices of a mesh.
 struct Surface_sample
 {
   std::vector<Vector> points;
-  std::vector<Vector> normals;
+  std::vector<Vector> normals; // zero: unknown, the point has no off-surface points
   std::vector<double> spacings;
+  std::vector<Facet> facets;
   std::size_t number_of_isolated_vertices = 0;
   std::size_t number_of_duplicate_points = 0;
 
   std::size_t size() const { return points.size(); }
 };
+
+inline std::size_t memory_bytes_of(const Surface_sample& sample)
+{
+  return sample.size() * (2 * sizeof(Vector) + sizeof(double)) + sample.facets.size() * sizeof(Facet);
+}
+
+// The map of the coordinates of the caller to those in which the function is built: the box about the points is centred at the
+// origin and its diagonal is in [1/2, 1), so that neither a large nor a small unit nor a far origin harms. The scale is a power
+// of two: it rounds nothing.
+struct Normalization
+{
+  Vector centre = Vector::Zero();
+  double scale = 1;
+
+  Vector operator()(const Vector& p) const { return (p - centre) * scale; }
+};
+
+inline Normalization normalize(Surface_sample& sample)
+{
+  Normalization result;
+  Vector low = sample.points.front(), high = low;
+  for (const Vector& p : sample.points)
+  {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  result.centre = low + 0.5 * (high - low);
+  int exponent = 0;
+  std::frexp((high - low).stableNorm(), &exponent);
+  result.scale = std::ldexp(1., -exponent);
+  for (std::size_t i = 0; i < sample.size(); ++i)
+  {
+    sample.points[i] = result(sample.points[i]);
+    sample.spacings[i] *= result.scale;
+  }
+  return result;
+}
 
 // the point or vector of the caller in plain numbers
 template <typename Point_or_vector>
@@ -81,6 +122,8 @@ inline void merge_duplicate_points(Surface_sample& sample)
   std::sort(order.begin(), order.end(), [&](const std::size_t i, const std::size_t j)
             { return std::make_pair(key(i), i) < std::make_pair(key(j), j); });
   std::vector<char> is_kept(sample.size(), 1);
+  std::vector<std::size_t> kept(sample.size()), new_index(sample.size()); // by old index: who stands for it, and where
+  std::iota(kept.begin(), kept.end(), std::size_t(0));
   for (std::size_t k = 0, first = 0; k < order.size(); ++k)
   {
     if (key(order[k]) != key(order[first]))
@@ -88,6 +131,7 @@ inline void merge_duplicate_points(Surface_sample& sample)
     if (k == first)
       continue;
     is_kept[order[k]] = 0;
+    kept[order[k]] = order[first];
     sample.normals[order[first]] += sample.normals[order[k]];
     sample.spacings[order[first]] = (std::min)(sample.spacings[order[first]], sample.spacings[order[k]]);
   }
@@ -95,12 +139,16 @@ inline void merge_duplicate_points(Surface_sample& sample)
   for (std::size_t i = 0; i < is_kept.size(); ++i)
     if (is_kept[i])
     {
+      new_index[i] = next;
       const double length = sample.normals[i].norm();
       sample.points[next] = sample.points[i];
       sample.normals[next] = length > 1e-6 ? Vector(sample.normals[i] / length) : Vector(Vector::Zero());
       sample.spacings[next++] = sample.spacings[i];
     }
   sample.number_of_duplicate_points = sample.size() - next;
+  for (Facet& facet : sample.facets)
+    for (std::size_t& i : facet)
+      i = new_index[kept[i]];
   sample.points.resize(next);
   sample.normals.resize(next);
   sample.spacings.resize(next);

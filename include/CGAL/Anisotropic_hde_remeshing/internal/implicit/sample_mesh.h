@@ -16,6 +16,7 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/properties.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -60,6 +61,7 @@ template <typename TriangleMesh, typename VertexPointMap, typename VertexNormalM
 Surface_sample sample_mesh(const TriangleMesh& tmesh, const VertexPointMap vpm, const VertexNormalMap vnm)
 {
   Surface_sample sample;
+  const auto new_index = get(dynamic_vertex_property_t<std::size_t>(), tmesh);
   std::size_t index = 0;
   for (const auto v : vertices(tmesh))
   {
@@ -75,9 +77,18 @@ Surface_sample sample_mesh(const TriangleMesh& tmesh, const VertexPointMap vpm, 
     normal_and_spacing(v, p, tmesh, vpm, normal, spacing);
     if constexpr (!std::is_same<VertexNormalMap, internal_np::Param_not_found>::value)
       normal = unit_normal(get(vnm, v), this_index);
+    put(new_index, v, sample.size());
     sample.points.push_back(p);
     sample.normals.push_back(normal);
     sample.spacings.push_back(spacing);
+  }
+  for (const auto f : faces(tmesh))
+  {
+    // polygons as fans
+    const auto first = halfedge(f, tmesh);
+    for (auto h = next(first, tmesh); target(h, tmesh) != source(first, tmesh); h = next(h, tmesh))
+      sample.facets.push_back({get(new_index, source(first, tmesh)), get(new_index, source(h, tmesh)),
+                               get(new_index, target(h, tmesh))});
   }
   merge_duplicate_points(sample);
   return sample;

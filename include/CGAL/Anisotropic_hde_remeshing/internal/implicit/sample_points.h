@@ -11,13 +11,9 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Point_search.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Surface_sample.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
-
-#include <CGAL/Kd_tree.h>
-#include <CGAL/Orthogonal_k_neighbor_search.h>
-#include <CGAL/Search_traits_3.h>
-#include <CGAL/Simple_cartesian.h>
 
 #include <cmath>
 #include <cstddef>
@@ -30,29 +26,20 @@ namespace internal {
 template <typename ConcurrencyTag>
 void compute_spacings(Surface_sample& sample)
 {
-  typedef Simple_cartesian<double>::Point_3 Point;
-  typedef Search_traits_3<Simple_cartesian<double>> Traits;
-  typedef Orthogonal_k_neighbor_search<Traits> Neighbor_search;
   static constexpr unsigned int number_of_neighbors = 6;
-
-  std::vector<Point> points;
-  points.reserve(sample.size());
-  for (const Vector& p : sample.points)
-    points.emplace_back(p[0], p[1], p[2]);
-  typename Neighbor_search::Tree tree(points.begin(), points.end());
-  tree.build();
+  const Point_search search(sample.points);
   parallel_for<ConcurrencyTag>(sample.size(),
                                [&](const std::size_t i)
                                {
-                                 // the nearest is the point itself
-                                 Neighbor_search search(tree, points[i], number_of_neighbors + 1);
                                  double sum = 0;
                                  std::size_t count = 0;
-                                 for (const auto& neighbor : search)
-                                 {
-                                   sum += std::sqrt(neighbor.second);
-                                   count += neighbor.second > 0 ? 1 : 0;
-                                 }
+                                 // the nearest is the point itself
+                                 for (const auto& neighbor : search.nearest(sample.points[i], number_of_neighbors + 1))
+                                   if (neighbor.second != i)
+                                   {
+                                     sum += std::sqrt(neighbor.first);
+                                     ++count;
+                                   }
                                  sample.spacings[i] = count > 0 ? sum / double(count) : 0.;
                                });
 }

@@ -11,7 +11,7 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
-#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Value_and_gradient.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Jet.h>
 
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/Euler_operations.h>

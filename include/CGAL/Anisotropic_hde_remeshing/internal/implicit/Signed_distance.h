@@ -1,0 +1,39 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+#ifndef CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_IMPLICIT_SIGNED_DISTANCE_H
+#define CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_IMPLICIT_SIGNED_DISTANCE_H
+
+#include <CGAL/license/Anisotropic_hde_remeshing.h>
+
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Jet.h>
+
+namespace CGAL {
+namespace Anisotropic_hde_remeshing {
+namespace internal {
+
+// The signed distance to the input itself: what the function is far from the surface, where interpolants only extrapolate, and
+// where no interpolant is good enough. The judge of the self-check, too.
+class Signed_distance
+{
+public:
+  virtual ~Signed_distance() = default;
+
+  // negative inside, with its gradient
+  virtual Value_and_gradient distance(const Vector& p) const = 0;
+
+  // The same value with the interpolated normals of the input as the direction of the gradient, so long that Newton's step
+  // along it ends on the input: a surface whose normals do not jump.
+  virtual Value_and_gradient with_interpolated_normals(const Vector& p) const = 0;
+};
+
+} // namespace internal
+} // namespace Anisotropic_hde_remeshing
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_IMPLICIT_SIGNED_DISTANCE_H
