@@ -13,7 +13,7 @@
 function(cgal_ahr_unpack_data archives)
   foreach(archive IN LISTS archives)
     execute_process(
-      COMMAND "${CMAKE_COMMAND}" -E tar xf "${archive}" data/meshes
+      COMMAND "${CMAKE_COMMAND}" -E tar xf "${archive}" data/meshes data/points_3
       WORKING_DIRECTORY "${PROJECT_BINARY_DIR}"
       RESULT_VARIABLE result)
     if(result EQUAL 0 AND EXISTS "${PROJECT_BINARY_DIR}/data/meshes/bunny00.off")
@@ -25,7 +25,7 @@ endfunction()
 
 if(NOT EXISTS "${CGAL_DATA_DIR}/meshes/bunny00.off")
   set(CGAL_DATA_DIR "${PROJECT_BINARY_DIR}/data")
-  if(NOT EXISTS "${CGAL_DATA_DIR}/meshes/bunny00.off")
+  if(NOT EXISTS "${CGAL_DATA_DIR}/meshes/bunny00.off" OR NOT EXISTS "${CGAL_DATA_DIR}/points_3/kitten.xyz")
     file(GLOB data_archives
       "/usr/share/doc/libcgal*/data.tar*"
       "${PROJECT_BINARY_DIR}/libcgal-demo/usr/share/doc/libcgal*/data.tar*") # where scripts/ put it on a Debian without doc
