@@ -102,6 +102,9 @@ check "vertices" run 0 $sphere v.off --vertices 800 --iterations 5 --no-distance
 check "their number is about right" awk '$1 == "vertices" { exit !($3 > 720 && $3 < 880) }' stdout
 check "length" run 0 $sphere l.off --length 0.2 --absolute-sigma 0.05 $quick
 check "thin plate" run 0 $sphere t.off --kernel thin-plate --patches 30 --overlap 2.5 --offset 0.01 $quick
+for kernel in gaussian multiquadric inverse-multiquadric wendland-c2 wendland-c4 wendland-c6; do
+  check "$kernel" run 0 $sphere k.off --kernel $kernel --shape 2.5 --smoothing 1e-6 $quick
+done
 check "constants" run 0 $sphere c.off $quick --smoothing-ratio 0.5 --collapse-ratio 0.7 --split-ratio 1.4 \
   --relaxation-steps 2
 check "scheme of the paper" run 0 $sphere p.off --scheme paper $quick
@@ -139,6 +142,9 @@ refuses 2 "OUT" $sphere
 refuses 2 "--nonsense" $sphere precious.off --nonsense
 refuses 2 "many" $sphere precious.off --faces many
 refuses 2 "cubic" $sphere precious.off --kernel cubic
+refuses 1 "shape" $sphere precious.off --shape 3
+refuses 1 "shape" $sphere precious.off --kernel gaussian --shape -1
+refuses 1 "smoothing" $sphere precious.off --smoothing -1
 refuses 2 "excludes" $sphere precious.off --faces 100 --vertices 100
 refuses 2 "excludes" $sphere precious.off --faces 100 --length 1
 refuses 2 "excludes" $sphere precious.off --sigma .1 --absolute-sigma 1

@@ -19,7 +19,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <utility>
 
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
@@ -63,18 +65,18 @@ struct Interpolation_coefficients
 class Interpolation_system
 {
 public:
-  // `matrix` is A + lambda I, symmetric; both must outlive this object
-  Interpolation_system(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& polynomials)
-    : m_matrix(matrix), m_polynomials(polynomials)
+  // `matrix` makes A + lambda I, symmetric: once, as a rule, as it is overwritten by its factor, and once more after a failure
+  Interpolation_system(std::function<Eigen::MatrixXd()> matrix, const Eigen::MatrixXd& polynomials,
+                       const Polynomial_null_space& null_space)
+    : m_matrix(std::move(matrix)), m_polynomials(polynomials), m_null_space(null_space)
   {
   }
 
   Interpolation_coefficients solve(const Eigen::VectorXd& data) const
   {
-    const Polynomial_null_space null_space(m_polynomials);
     for (const double ridge : {0., 1e-14, 1e-12, 1e-10})
     {
-      Interpolation_coefficients result = solve_on_null_space(null_space, data, ridge);
+      Interpolation_coefficients result = solve_on_null_space(data, ridge);
       if (result.relative_residual <= (std::max)(Interpolation_coefficients::largest_residual, 1e3 * ridge))
       {
         result.solver = ridge == 0 ? Solver::CHOLESKY : Solver::CHOLESKY_WITH_RIDGE;
@@ -87,13 +89,12 @@ public:
   }
 
 private:
-  Interpolation_coefficients solve_on_null_space(const Polynomial_null_space& null_space, const Eigen::VectorXd& data,
-                                                 const double ridge) const
+  Interpolation_coefficients solve_on_null_space(const Eigen::VectorXd& data, const double ridge) const
   {
-    const Eigen::Index n = m_matrix.rows(), q = m_polynomials.cols(), m = n - q;
-    Eigen::MatrixXd matrix = m_matrix;
-    null_space.transform(matrix);
-    const Eigen::VectorXd right = null_space.transformed(data);
+    const Eigen::Index n = m_polynomials.rows(), q = m_polynomials.cols(), m = n - q;
+    Eigen::MatrixXd matrix = m_matrix();
+    m_null_space.transform(matrix);
+    const Eigen::VectorXd right = m_null_space.transformed(data);
     const Eigen::MatrixXd mixed = matrix.topRightCorner(q, m);
 
     Interpolation_coefficients result;
@@ -104,9 +105,9 @@ private:
       return result;
     result.weights = Eigen::VectorXd::Zero(n);
     result.weights.tail(m) = u;
-    result.weights = null_space.transformed_back(result.weights);
+    result.weights = m_null_space.transformed_back(result.weights);
     const Eigen::VectorXd polynomial_right = right.head(q) - mixed * u;
-    result.polynomial = null_space.solve_triangle(polynomial_right);
+    result.polynomial = m_null_space.solve_triangle(polynomial_right);
     // Q is orthogonal, hence the residual in its coordinates is as large as that of (11)
     if (result.is_finite())
       result.relative_residual = Interpolation_coefficients::relative(residual, data);
@@ -144,9 +145,9 @@ private:
   // the whole indefinite system, for the data that the null space method cannot take: all of them in a plane, say
   Interpolation_coefficients solve_whole(const Eigen::VectorXd& data) const
   {
-    const Eigen::Index n = m_matrix.rows(), q = m_polynomials.cols();
+    const Eigen::Index n = m_polynomials.rows(), q = m_polynomials.cols();
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n + q, n + q);
-    matrix.topLeftCorner(n, n) = m_matrix;
+    matrix.topLeftCorner(n, n) = m_matrix();
     matrix.topRightCorner(n, q) = m_polynomials;
     matrix.bottomLeftCorner(q, n) = m_polynomials.transpose();
     Eigen::VectorXd right = Eigen::VectorXd::Zero(n + q);
@@ -165,8 +166,9 @@ private:
     return result;
   }
 
-  const Eigen::MatrixXd& m_matrix;
+  std::function<Eigen::MatrixXd()> m_matrix;
   const Eigen::MatrixXd& m_polynomials;
+  const Polynomial_null_space& m_null_space;
 };
 
 } // namespace internal

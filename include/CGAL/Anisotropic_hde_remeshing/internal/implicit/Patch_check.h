@@ -55,12 +55,14 @@ public:
 
   static constexpr std::size_t checks_of_place = 3;
 
-  // how many of the checks of a place the function, from points to Value_and_gradient, fails; `parity` varies the distances
-  template <typename Function>
-  std::size_t failures(const Place& place, const std::size_t parity, const Function& function) const
+  // how many of the checks of a place a function fails, given by its Value_and_gradient and, faster, by its value alone;
+  // `parity` varies the distances
+  template <typename Jet_of_function, typename Value_of_function>
+  std::size_t failures(const Place& place, const std::size_t parity, const Jet_of_function& jet,
+                       const Value_of_function& value_at) const
   {
     std::size_t result = 0;
-    const Value_and_gradient at_place = function(place.point);
+    const Value_and_gradient at_place = jet(place.point);
     const double length = at_place.gradient.norm();
     if (!(at_place.gradient.dot(place.normal) > 0) || !(std::abs(at_place.value) <= place.spacing * length))
       ++result;
@@ -69,7 +71,7 @@ public:
     for (const double side : {1., -1.})
     {
       const Vector p = place.point + side * distance * place.normal;
-      const double value = function(p).value;
+      const double value = value_at(p);
       if (!std::isfinite(value) || (side * value <= 0 && is_wrong(p, side, place.spacing)))
         ++result;
     }

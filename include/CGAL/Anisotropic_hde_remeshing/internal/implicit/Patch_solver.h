@@ -111,9 +111,11 @@ public:
         continue;
       const Polynomial_basis basis(normal);
       const Eigen::MatrixXd polynomials = basis.values(centres);
-      if (with_squares && Polynomial_null_space(polynomials).independence() < least_independence)
+      const Polynomial_null_space null_space(polynomials);
+      if (with_squares && null_space.independence() < least_independence)
         continue;
-      const Interpolation_coefficients solution = solve(centres, polynomials, function, settings.smoothing, data);
+      const Interpolation_coefficients solution =
+          solve(centres, polynomials, null_space, function, settings.smoothing, data);
       result.record.relative_residual = solution.relative_residual;
       result.record.condition = solution.condition;
       result.record.solver = solution.solver;
@@ -131,8 +133,8 @@ public:
 
 private:
   Interpolation_coefficients solve(const Points& centres, const Eigen::MatrixXd& polynomials,
-                                   const RadialFunction& function, const double smoothing,
-                                   const Eigen::VectorXd& data) const
+                                   const Polynomial_null_space& null_space, const RadialFunction& function,
+                                   const double smoothing, const Eigen::VectorXd& data) const
   {
     if constexpr (Has_compact_support<RadialFunction>::value)
     {
@@ -146,8 +148,8 @@ private:
           return solution;
       }
     }
-    const Eigen::MatrixXd matrix = interpolation_matrix(centres, function, smoothing);
-    Interpolation_coefficients result = Interpolation_system(matrix, polynomials).solve(data);
+    const auto matrix = [&] { return interpolation_matrix(centres, function, smoothing); };
+    Interpolation_coefficients result = Interpolation_system(matrix, polynomials, null_space).solve(data);
     result.weights *= RadialFunction::sign;
     return result;
   }

@@ -205,10 +205,11 @@ private:
   std::size_t number_of_failures(const Places& places, const std::size_t k, const Patch& patch) const
   {
     const Patch_check check(*m_sample, *m_distance);
-    const auto function = [&](const Vector& p) { return evaluate_patch<1>(patch, p); };
+    const auto jet = [&](const Vector& p) { return evaluate_patch<1>(patch, p); };
+    const auto value = [&](const Vector& p) { return evaluate_patch<0>(patch, p).value; };
     std::size_t failures = 0;
     for (const std::size_t i : places.of_leaves[k])
-      failures += check.failures(places.places[i], i, function);
+      failures += check.failures(places.places[i], i, jet, value);
     return failures;
   }
 
