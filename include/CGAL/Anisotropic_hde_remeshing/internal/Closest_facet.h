@@ -27,6 +27,7 @@
 
 #include <array>
 #include <cstddef>
+#include <iterator>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -100,9 +101,26 @@ private:
       m_triangles.emplace_back(to_point(a), to_point(b), to_point(c));
       m_indices.push_back(k);
     }
+    if (m_triangles.empty())
+      return;
     m_tree = std::make_unique<Tree>(m_triangles.cbegin(), m_triangles.cend());
     m_tree->build();
-    m_tree->accelerate_distance_queries();
+    accelerate();
+  }
+
+  // A query starts from the nearest of some points of the facets. One of eight facets is enough: all of them would take more
+  // memory than the tree.
+  void accelerate() const
+  {
+    static constexpr std::ptrdiff_t step = 8;
+    std::vector<typename Tree::Point_and_primitive_id> hints;
+    for (auto triangle = m_triangles.cbegin();; triangle += step)
+    {
+      hints.emplace_back(triangle->vertex(0), triangle);
+      if (m_triangles.cend() - triangle <= step)
+        break;
+    }
+    m_tree->accelerate_distance_queries(hints.cbegin(), hints.cend());
   }
 
   static Kernel::Point_3 to_point(const Vector& p) { return Kernel::Point_3(p[0], p[1], p[2]); }

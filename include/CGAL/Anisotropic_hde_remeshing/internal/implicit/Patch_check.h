@@ -18,7 +18,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <vector>
 
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
@@ -39,17 +38,43 @@ public:
 
   Patch_check(const Surface_sample& sample, const Signed_distance& input) : m_sample(sample), m_input(input) {}
 
-  // All places: the centres of the facets, three more in facets that are large for the points around them, and the points if
-  // there are no facets. Degenerate facets have none.
-  std::vector<Place> places() const
+  // Places have numbers, four a facet or one a point, and are made when they are asked for. Calls visit(number, place) for all of
+  // them: the centres of the facets, three more in facets that are large for the points around them, and the points if there are
+  // no facets. Degenerate facets have none.
+  template <typename Visitor>
+  void visit_places(const Visitor& visit) const
   {
-    std::vector<Place> result;
-    for (const Facet& facet : m_sample.facets)
-      add_places(facet, result);
     if (m_sample.facets.empty())
       for (std::size_t i = 0; i < m_sample.size(); ++i)
         if (!m_sample.normals[i].isZero(0))
-          result.push_back(Place{m_sample.points[i], m_sample.normals[i], m_sample.spacings[i]});
+          visit(i, place(i));
+    for (std::size_t f = 0; f < m_sample.facets.size(); ++f)
+    {
+      const Place centre = place(4 * f);
+      if (!(centre.spacing > 0))
+        continue;
+      visit(4 * f, centre);
+      if (is_large(m_sample.facets[f]))
+        for (std::size_t k = 1; k <= 3; ++k)
+          visit(4 * f + k, place(4 * f + k));
+    }
+  }
+
+  Place place(const std::size_t number) const
+  {
+    if (m_sample.facets.empty())
+      return Place{m_sample.points[number], m_sample.normals[number], m_sample.spacings[number]};
+    const Facet& facet = m_sample.facets[number / 4];
+    const Vector &a = m_sample.points[facet[0]], &b = m_sample.points[facet[1]], &c = m_sample.points[facet[2]];
+    const Vector area = (b - a).cross(c - a), centre = (a + b + c) / 3;
+    Place result{centre, Vector::Zero(), 0};
+    if (number % 4 > 0)
+      result.point = 0.5 * (centre + m_sample.points[facet[number % 4 - 1]]);
+    if (area.norm() > least_height * longest_edge(facet) * longest_edge(facet))
+    {
+      result.normal = area.normalized();
+      result.spacing = ((b - a).norm() + (c - b).norm() + (a - c).norm()) / 3;
+    }
     return result;
   }
 
@@ -83,22 +108,17 @@ private:
   static constexpr double large_facet = 2;     // its longest edge, in units of the spacing of its points
   static constexpr double least_distance = 0.2; // where the sign counts, in units of the spacing
 
-  void add_places(const Facet& facet, std::vector<Place>& places) const
+  double longest_edge(const Facet& facet) const
   {
     const Vector &a = m_sample.points[facet[0]], &b = m_sample.points[facet[1]], &c = m_sample.points[facet[2]];
-    const Vector area = (b - a).cross(c - a);
-    const double ab = (b - a).norm(), bc = (c - b).norm(), ca = (a - c).norm();
-    const double longest = (std::max)(ab, (std::max)(bc, ca));
-    if (!(area.norm() > least_height * longest * longest))
-      return;
-    const Vector normal = area.normalized();
-    const double spacing = (ab + bc + ca) / 3;
-    places.push_back(Place{(a + b + c) / 3, normal, spacing});
-    const double of_points =
+    return (std::max)((b - a).norm(), (std::max)((c - b).norm(), (a - c).norm()));
+  }
+
+  bool is_large(const Facet& facet) const
+  {
+    const double spacing =
         (m_sample.spacings[facet[0]] + m_sample.spacings[facet[1]] + m_sample.spacings[facet[2]]) / 3;
-    if (longest > large_facet * of_points)
-      for (const Vector& corner : {a, b, c})
-        places.push_back(Place{0.5 * corner + (a + b + c) / 6, normal, spacing});
+    return longest_edge(facet) > large_facet * spacing;
   }
 
   bool is_wrong(const Vector& p, const double expected_side, const double spacing) const

@@ -118,12 +118,8 @@ private:
     double begin_of_far = 0, end_of_far = 0; // in the unit of the interpolant
   };
 
-  // where the patches are checked
-  struct Places
-  {
-    std::vector<Patch_check::Place> places;
-    std::vector<std::vector<std::size_t>> of_leaves; // those at which a leaf counts
-  };
+  // the numbers of the places of Patch_check at which a leaf counts, a leaf
+  typedef std::vector<std::vector<std::size_t>> Places;
 
   struct Patch_result
   {
@@ -160,7 +156,7 @@ private:
     static constexpr double smaller_offset = 0.25, repairing_smoothing = 0.01, wider_overlap = 1.5;
     const Blending_tree::Leaf& leaf = m_tree.leaves()[k];
     Patch_result best = attempt(solver, places, k, leaf, Patch_settings{1, parameters.smoothing}, m_patches[k]);
-    const double number_of_checks = double(Patch_check::checks_of_place * places.of_leaves[k].size());
+    const double number_of_checks = double(Patch_check::checks_of_place * places[k].size());
     const auto attempt_again = [&](const Blending_tree::Leaf& points, const Patch_settings& settings)
     {
       if (best.failures == 0 || double(best.failures) > largest_repairable_share * number_of_checks)
@@ -208,8 +204,8 @@ private:
     const auto jet = [&](const Vector& p) { return evaluate_patch<1>(patch, p); };
     const auto value = [&](const Vector& p) { return evaluate_patch<0>(patch, p).value; };
     std::size_t failures = 0;
-    for (const std::size_t i : places.of_leaves[k])
-      failures += check.failures(places.places[i], i, jet, value);
+    for (const std::size_t number : places[k])
+      failures += check.failures(check.place(number), parity(number), jet, value);
     return failures;
   }
 
@@ -228,13 +224,19 @@ private:
     }
   }
 
+  // that of the facet or the point, and one more for each further place
+  std::size_t parity(const std::size_t number) const
+  {
+    return m_sample->facets.empty() ? number : number / 4 + number % 4;
+  }
+
   Places places_of_leaves() const
   {
-    Places result;
-    result.places = Patch_check(*m_sample, *m_distance).places();
-    result.of_leaves.resize(m_tree.leaves().size());
-    for (std::size_t i = 0; i < result.places.size(); ++i)
-      m_tree.visit_leaves(result.places[i].point, [&](const std::size_t k) { result.of_leaves[k].push_back(i); });
+    Places result(m_tree.leaves().size());
+    Patch_check(*m_sample, *m_distance)
+        .visit_places(
+            [&](const std::size_t number, const Patch_check::Place& place)
+            { m_tree.visit_leaves(place.point, [&](const std::size_t k) { result[k].push_back(number); }); });
     return result;
   }
 
