@@ -67,7 +67,7 @@ class Patchwise_interpolant
   // constraints reach one spacing from the points at most; two are checked.
   static constexpr double begin_of_far = 2.5, end_of_far = 3.5;
   // the same in units of the support of the kernel, beyond which it says nothing
-  static constexpr double begin_of_support_end = 0.6, end_of_support_end = 0.9;
+  static constexpr double begin_of_support_end = 0.25, end_of_support_end = 0.4;
 
   // of the checks of a patch, beyond which the input itself is better than the interpolant
   static constexpr double largest_share_of_failures = 0.05;
