@@ -62,7 +62,7 @@ void test_threads(const std::string& name, const Mesh& input, const double sigma
   CHECK(digest_of_rbf_remeshing<CGAL::Sequential_tag>(input, sigma, number_of_faces, function_values) == expected);
   CHECK(function_values == expected_values);
 #ifdef CGAL_LINKED_WITH_TBB
-  for (const std::size_t number_of_threads : {1, 2, 4})
+  for (const std::size_t number_of_threads : {1, 2, 4, 8})
   {
     const tbb::global_control control(tbb::global_control::max_allowed_parallelism, number_of_threads);
     CHECK(digest_of_rbf_remeshing<CGAL::Parallel_tag>(input, sigma, number_of_faces, function_values) == expected);

@@ -7,14 +7,25 @@
 // Author(s)     : The Anisotropic_hde_remeshing developers
 
 // What Rbf_implicit_function makes of its input: points with normals, isolated and duplicate vertices, sheets close to each
-// other, coordinates of any scale, and input that it must refuse.
+// other, coordinates of any scale, few and degenerate points, shapes sampled too coarsely, and input that it must refuse.
 
 #include "check.h"
 #include "shapes.h"
 
+#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/Random.h>
 #include <CGAL/Rbf_implicit_function.h>
+#include <CGAL/Side_of_triangle_mesh.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/generators.h>
 #include <CGAL/property_map.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#  include <tbb/global_control.h>
+#endif
 
 #include <algorithm>
 #include <cmath>
@@ -166,28 +177,524 @@ void test_close_sheets()
   CHECK(wrong == 0);
 }
 
-// A scaled input gives the scaled function. The shape has no symmetry: where two points are equally far along an axis, the
-// last bit decides in which patch they are.
+// no value, gradient, Hessian or curvature is anything but a number: about the points, far away, and at `points` themselves
+template <typename F>
+void check_finite(const F& f, const std::vector<Point_3>& points)
+{
+  const Kernel::Sphere_3 sphere = f.bounding_sphere();
+  const double radius = std::sqrt(sphere.squared_radius());
+  CHECK(std::isfinite(radius) && radius > 0);
+  std::vector<Point_3> all = points;
+  for (const double factor : {0., 0.1, 0.5, 1., 2., 10., 1e3, 1e6})
+    for (const Point_3& q : spiral_points(30))
+      all.push_back(sphere.center() + factor * radius * (q - CGAL::ORIGIN));
+  std::size_t not_finite = 0;
+  for (const Point_3& p : all)
+  {
+    const auto at_p = f.value_and_gradient(p);
+    const auto curvatures = f.principal_curvatures(p);
+    const bool is_finite =
+        std::isfinite(at_p.first) && std::isfinite(at_p.second.x() + at_p.second.y() + at_p.second.z()) &&
+        f.hessian(p).allFinite() && std::isfinite(curvatures.min_curvature) && std::isfinite(curvatures.max_curvature);
+    not_finite += is_finite ? 0 : 1;
+  }
+  CHECK(not_finite == 0);
+}
+
+template <typename F>
+void check_finite(const F& f, const Points_with_normals& points)
+{
+  std::vector<Point_3> positions;
+  for (const Point_with_normal& p : points)
+    positions.push_back(p.first);
+  check_finite(f, positions);
+}
+
+// The largest difference of the values over the diagonal, and of the gradients, of the functions of a shape and of its image
+// under p -> scale p + translation, about the vertices.
+std::pair<double, double> difference_to_image(const Soup& soup, const double scale, const Vector_3& translation)
+{
+  const auto image = [&](const Point_3& p) { return CGAL::ORIGIN + scale * (p - CGAL::ORIGIN) + translation; };
+  Soup moved = soup;
+  for (Point_3& p : moved.points)
+    p = image(p);
+  const Mesh mesh = to_mesh(soup);
+  const Function f(mesh), g(to_mesh(moved));
+  CHECK(f.diagnostics().number_of_patches == g.diagnostics().number_of_patches);
+  double value = 0, gradient = 0;
+  CGAL::Random random(31);
+  for (const Point_3& p : soup.points)
+  {
+    const Point_3 q =
+        p + Vector_3(random.get_double(-0.1, 0.1), random.get_double(-0.1, 0.1), random.get_double(-0.1, 0.1));
+    value = (std::max)(value, std::abs(f(q) - g(image(q)) / scale));
+    gradient = (std::max)(gradient, std::sqrt((f.gradient(q) - g.gradient(image(q))).squared_length()));
+  }
+  return std::make_pair(value / bounding_box_diagonal(mesh), gradient);
+}
+
+Soup torus_soup(const std::size_t around, const std::size_t across)
+{
+  Soup soup;
+  const Mesh mesh = torus(around, across);
+  for (const Mesh::Vertex_index v : mesh.vertices())
+    soup.points.push_back(mesh.point(v));
+  for (const Mesh::Face_index f : mesh.faces())
+  {
+    const Mesh::Halfedge_index h = mesh.halfedge(f);
+    soup.triangles.push_back({mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))});
+  }
+  return soup;
+}
+
+// A scaled or moved input gives the scaled or moved function, also of shapes with symmetries, where the last bit of a
+// coordinate must not decide in which patch a point is.
 void test_scale()
 {
-  Soup soup = scaled(icosphere_soup(3), 1, 2, 5);
-  for (Point_3& p : soup.points)
+  Soup bent = scaled(icosphere_soup(3), 1, 2, 5);
+  for (Point_3& p : bent.points)
     p = Point_3(p.x() + 0.1 * p.z() + 0.02 * p.z() * p.z(), p.y() + 0.1 * p.x() * p.z(), p.z() + 0.1 * p.y());
-  const Function f(to_mesh(soup));
-  for (const double scale : {1e-6, 1e6})
+  const std::pair<const char*, Soup> shapes[] = {
+      {"bent ellipsoid", bent}, {"sphere", icosphere_soup(3)}, {"torus", torus_soup(60, 20)}};
+  for (const auto& [name, soup] : shapes)
   {
-    const Function g(to_mesh(scaled(soup, scale, scale, scale)));
-    double value = 0, gradient = 0;
+    for (const double scale : {1e-6, 1e6, 1e100})
+    {
+      const std::pair<double, double> difference = difference_to_image(soup, scale, CGAL::NULL_VECTOR);
+      std::cout << name << " scaled by " << scale << ": " << difference.first << " " << difference.second << std::endl;
+      CHECK(difference.first <= 1e-9);
+      CHECK(difference.second <= 1e-7);
+    }
+    const double distance = 1000 * bounding_box_diagonal(to_mesh(soup));
+    const std::pair<double, double> difference =
+        difference_to_image(soup, 1, Vector_3(distance, -0.7 * distance, 0.3 * distance));
+    std::cout << name << " moved: " << difference.first << " " << difference.second << std::endl;
+    CHECK(difference.first <= 1e-6);
+    CHECK(difference.second <= 1e-4);
+  }
+}
+
+// As large and as small as doubles go, the function is built, and the sign is right.
+void test_extreme_scale()
+{
+  for (const double scale : {1e-300, 1e-200, 1e-100, 1e100, 1e149 / 5})
+  {
+    const auto check = [&](const auto& input)
+    {
+      const Function f(input);
+      CHECK(f.diagnostics().number_of_points == 642);
+      CHECK(f.diagnostics().patches_on_fallback == 0);
+      CHECK(f.diagnostics().worst_value_residual <= 1e-9 * scale);
+      for (const Point_3& p : test_points())
+        CHECK(std::isfinite(f(CGAL::ORIGIN + scale * (p - CGAL::ORIGIN))));
+      for (const double factor : {0.1, 0.9, 1.1, 2.})
+        CHECK((f(Point_3(factor * scale, 0, 0)) > 0) == (factor > 1));
+      CHECK_CLOSE(f.gradient(Point_3(scale, 0, 0)).x(), 1, 0.01);
+    };
+    CHECK_NO_THROW(check(to_mesh(scaled(icosphere_soup(3), scale, 2 * scale, 5 * scale))));
+    Points_with_normals points = points_with_normals(ellipsoid(3));
+    for (Point_with_normal& p : points)
+      p = Point_with_normal(CGAL::ORIGIN + scale * (p.first - CGAL::ORIGIN), scale * p.second);
+    CHECK_NO_THROW(check(points));
+  }
+}
+
+// the bits of the values do not depend on the number of threads
+void test_threads()
+{
+  typedef CGAL::Rbf_implicit_function<Kernel, CGAL::Polyharmonic_rbf, CGAL::Sequential_tag> Sequential_function;
+  const Mesh mesh = ellipsoid(4);
+  const auto values_of = [](const auto& f)
+  {
+    std::vector<double> values;
     for (const Point_3& p : test_points())
     {
-      const Point_3 q = CGAL::ORIGIN + scale * (p - CGAL::ORIGIN);
-      value = (std::max)(value, std::abs(f(p) - g(q) / scale));
-      gradient = (std::max)(gradient, std::sqrt((f.gradient(p) - g.gradient(q)).squared_length()));
+      const auto at_p = f.value_and_gradient(p);
+      values.insert(values.end(), {at_p.first, at_p.second.x(), at_p.second.y(), at_p.second.z(), f(p)});
     }
-    std::cout << "scaled by " << scale << ": " << value << " " << gradient << std::endl;
-    CHECK(value < 1e-8);
-    CHECK(gradient < 1e-7);
+    return values;
+  };
+  const std::vector<double> expected = values_of(Sequential_function(mesh));
+  CHECK(values_of(Function(mesh)) == expected);
+#ifdef CGAL_LINKED_WITH_TBB
+  for (const std::size_t number_of_threads : {1, 2, 4, 8})
+  {
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, number_of_threads);
+    CHECK(values_of(Function(mesh)) == expected);
   }
+#endif
+}
+
+void test_few_points()
+{
+  // a tetrahedron has 4 on- and 4 off-surface points
+  Mesh tetrahedron;
+  CGAL::make_tetrahedron(Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(0, 0, 1), tetrahedron);
+  const Function f(tetrahedron);
+  CHECK(f(Point_3(0.2, 0.2, 0.2)) < 0);
+  CHECK(f(Point_3(2, 2, 2)) > 0);
+  check_finite(f, {Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(0, 0, 1)});
+
+  // a point alone has no distance to others
+  CHECK(!invalid_argument_message(
+             [] {
+               Function(Points_with_normals{{Point_3(1, 2, 3), Vector_3(0, 0, 1)}});
+             })
+             .empty());
+
+  // fewer points than polynomials, and up to where their number changes
+  for (int n = 2; n <= 9; ++n)
+  {
+    Points_with_normals points;
+    for (int i = 0; i < n; ++i)
+      points.emplace_back(Point_3(std::cos(2. * i), std::sin(3. * i), 0.1 * i), Vector_3(0, 0, 1));
+    const Function g(points);
+    CHECK(g.diagnostics().number_of_points == std::size_t(n));
+    check_finite(g, points);
+    for (const Point_with_normal& p : points)
+    {
+      CHECK(std::abs(g(p.first)) <= 1e-9);
+      CHECK(g(p.first + 0.02 * p.second) > 0);
+      CHECK(g(p.first - 0.02 * p.second) < 0);
+    }
+  }
+}
+
+// The polynomials are not determined by the vertices alone, and the interpolant of a plane is its distance.
+template <typename Input>
+void check_plane(const Input& input)
+{
+  const Function f(input);
+  double value = 0, gradient = 0, hessian = 0;
+  std::vector<Point_3> points;
+  for (double x = -0.5; x < 3; x += 0.17)
+    for (double y = -0.5; y < 3; y += 0.19)
+      for (const double z : {-1., -0.1, -0.01, 0., 0.02, 0.3})
+        points.emplace_back(x, y, z);
+  for (const Point_3& p : points)
+    if (p.x() > 0 && p.x() < 2 && p.y() > 0 && p.y() < 2)
+    {
+      value = (std::max)(value, std::abs(f(p) - p.z()));
+      gradient = (std::max)(gradient, std::sqrt((f.gradient(p) - Vector_3(0, 0, 1)).squared_length()));
+      hessian = (std::max)(hessian, f.hessian(p).norm());
+    }
+  std::cout << "plane: " << value << " " << gradient << " " << hessian << std::endl;
+  CHECK(value <= 1e-12);
+  CHECK(gradient <= 1e-10);
+  CHECK(hessian <= 1e-8);
+  check_finite(f, points);
+}
+
+void test_degenerate_positions()
+{
+  Mesh grid = hills(20);
+  Points_with_normals points;
+  for (const Mesh::Vertex_index v : grid.vertices())
+  {
+    grid.point(v) = Point_3(grid.point(v).x(), grid.point(v).y(), 0);
+    points.emplace_back(grid.point(v), Vector_3(0, 0, 1));
+  }
+  check_plane(grid);
+  check_plane(points);
+  Mesh square;
+  CGAL::make_quad(Point_3(0, 0, 0), Point_3(2, 0, 0), Point_3(2, 2, 0), Point_3(0, 2, 0), square);
+  CGAL::Euler::split_face(halfedge(*faces(square).begin(), square),
+                          next(next(halfedge(*faces(square).begin(), square), square), square), square);
+  check_finite(Function(square), {Point_3(0, 0, 0), Point_3(1, 1, 0)});
+  CHECK(Function(square)(Point_3(0.9, 0.8, 0.1)) * Function(square)(Point_3(0.9, 0.8, -0.1)) < 0);
+
+  // on a line
+  points.clear();
+  for (int i = 0; i < 60; ++i)
+    points.emplace_back(Point_3(0.1 * i, 0.2 * i, 0), Vector_3(0, 0, 1));
+  const Function f(points);
+  check_finite(f, points);
+  for (const Point_with_normal& p : points)
+    for (const double z : {-0.3, -0.1, 0., 0.1, 0.3})
+      CHECK_CLOSE(f(p.first + z * p.second), z, 1e-9);
+}
+
+void test_normals()
+{
+  Points_with_normals points = points_with_normals(ellipsoid(3));
+  for (std::size_t i = 0; i < points.size(); i += 2)
+    points[i].second = Vector_3(0, 0, 0);
+  const Function f(points);
+  CHECK(f.diagnostics().number_of_points_without_normal == points.size() / 2);
+  check_finite(f, points);
+  double residual = 0;
+  for (const Point_with_normal& p : points)
+    residual = (std::max)(residual, std::abs(f(p.first)));
+  CHECK(residual <= 1e-9);
+  for (const Point_3& q : spiral_points(500))
+    for (const double factor : {0.5, 0.9, 1.1, 2.})
+      CHECK((f(Point_3(factor * q.x(), 2 * factor * q.y(), 5 * factor * q.z())) < 0) == (factor < 1));
+  for (Point_with_normal& p : points)
+    p.second = Vector_3(0, 0, 0);
+  CHECK(contains(invalid_argument_message([&] { Function g(points); }), "normal"));
+}
+
+// spheres side by side, a small dense one among them, and one in another, hollow
+void test_components()
+{
+  const std::pair<double, Point_3> spheres[] = {
+      {1, Point_3(0, 0, 0)}, {0.1, Point_3(1.3, 0, 0)}, {2, Point_3(0, 0, 4)}, {0.5, Point_3(0, 0, 4)}};
+  Mesh mesh;
+  for (const auto& [radius, centre] : spheres)
+  {
+    Mesh sphere = icosphere(3, radius);
+    for (const Mesh::Vertex_index v : sphere.vertices())
+      sphere.point(v) = centre + (sphere.point(v) - CGAL::ORIGIN);
+    if (radius == 0.5)
+      CGAL::Polygon_mesh_processing::reverse_face_orientations(sphere);
+    CGAL::copy_face_graph(sphere, mesh);
+  }
+  const Function f(mesh);
+  std::cout << "components: patches on fallback " << f.diagnostics().patches_on_fallback << std::endl;
+  std::vector<Point_3> points(mesh.points().begin(), mesh.points().end());
+  check_finite(f, points);
+  std::size_t wrong = 0;
+  for (const auto& [radius, centre] : spheres)
+    for (const Point_3& q : spiral_points(300))
+      for (const double factor : {0.2, 0.5, 0.8, 0.95, 1.05, 1.2})
+        wrong += (f(centre + factor * radius * (q - CGAL::ORIGIN)) < 0) == ((factor < 1) == (radius != 0.5)) ? 0 : 1;
+  CHECK(wrong == 0);
+  CHECK(f(Point_3(1.1, 0, 0)) > 0 && f(Point_3(100, 20, 3)) > 0);
+}
+
+void test_open_surfaces()
+{
+  const Function f(hills(20));
+  std::size_t wrong = 0;
+  std::vector<Point_3> points;
+  for (double x = 0.05; x < 2; x += 0.05)
+    for (double y = 0.05; y < 2; y += 0.05)
+      for (const double z : {-2., -0.5, -0.1, -0.02, 0.02, 0.1, 0.5, 2.})
+      {
+        points.emplace_back(x, y, Hills_function::height(x, y) + z);
+        wrong += (f(points.back()) > 0) == (z > 0) ? 0 : 1;
+      }
+  CHECK(wrong == 0);
+  check_finite(f, points);
+  const Mesh half = half_sphere(10);
+  check_finite(Function(half), std::vector<Point_3>(half.points().begin(), half.points().end()));
+}
+
+Mesh triangulated_cube()
+{
+  Mesh mesh;
+  CGAL::make_hexahedron(Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(1, 1, 0), Point_3(0, 1, 0), Point_3(0, 1, 1),
+                        Point_3(0, 0, 1), Point_3(1, 0, 1), Point_3(1, 1, 1), mesh);
+  CGAL::Polygon_mesh_processing::triangulate_faces(mesh);
+  return mesh;
+}
+
+// the share of wrong signs at random points in the box about a closed mesh
+double share_of_wrong_signs(const Function& f, const Mesh& mesh)
+{
+  const CGAL::Side_of_triangle_mesh<Mesh, Kernel> side(mesh);
+  const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
+  CGAL::Random random(37);
+  const int n = 10000;
+  int wrong = 0;
+  for (int i = 0; i < n; ++i)
+  {
+    const Point_3 p(random.get_double(box.xmin(), box.xmax()), random.get_double(box.ymin(), box.ymax()),
+                    random.get_double(box.zmin(), box.zmax()));
+    wrong += (side(p) == CGAL::ON_BOUNDED_SIDE) == (f(p) < 0) ? 0 : 1;
+  }
+  return double(wrong) / n;
+}
+
+// what is sampled too coarsely is answered by the input itself, and the diagnostics say so
+void test_fallback()
+{
+  const Mesh cube = triangulated_cube();
+  const Function f(cube);
+  CHECK(f.diagnostics().patches_on_fallback == f.diagnostics().number_of_patches);
+  CHECK(share_of_wrong_signs(f, cube) == 0);
+  check_finite(f, std::vector<Point_3>(cube.points().begin(), cube.points().end()));
+  // Newton's steps end on it, along normals that do not jump at the edges
+  for (double x = 0.05; x < 1; x += 0.05)
+    for (const double z : {0.9, 0.98, 1.02, 1.1})
+    {
+      const Point_3 p(x, 0.4, z);
+      const auto at_p = f.value_and_gradient(p);
+      const Point_3 q = p - at_p.first / at_p.second.squared_length() * at_p.second;
+      CHECK(std::abs(f(q)) <= 0.3 * std::abs(at_p.first));
+    }
+  CHECK((f.gradient(Point_3(0.999, 0.5, 1)) - f.gradient(Point_3(1, 0.5, 0.999))).squared_length() < 0.01);
+}
+
+struct Expected_patches
+{
+  const char* name;
+  std::size_t least_on_fallback, most_on_fallback, least_repaired;
+  double largest_share_of_wrong_signs;
+};
+
+void test_self_check()
+{
+  for (const Expected_patches& expected :
+       {Expected_patches{"anchor", 5, 1000, 0, 1e-3}, Expected_patches{"cheese", 100, 1000, 0, 1e-3},
+        Expected_patches{"elephant", 0, 0, 1, 0}, Expected_patches{"camel", 0, 0, 1, 1e-3}})
+  {
+    Mesh mesh;
+    const std::string file = CGAL::data_file_path(std::string("meshes/") + expected.name + ".off");
+    if (!CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(file, mesh))
+    {
+      std::cout << "CGAL's mesh " << expected.name << " is not there" << std::endl;
+      continue;
+    }
+    const Function f(mesh);
+    const auto& diagnostics = f.diagnostics();
+    const double wrong = share_of_wrong_signs(f, mesh);
+    std::cout << expected.name << ": of " << diagnostics.number_of_patches << " patches on fallback "
+              << diagnostics.patches_on_fallback << ", repaired " << diagnostics.patches_repaired << ", wrong signs "
+              << wrong << std::endl;
+    CHECK(diagnostics.patches_on_fallback >= expected.least_on_fallback);
+    CHECK(diagnostics.patches_on_fallback <= expected.most_on_fallback);
+    CHECK(diagnostics.patches_repaired >= expected.least_repaired);
+    CHECK(wrong <= expected.largest_share_of_wrong_signs);
+  }
+}
+
+template <typename Input>
+std::string message_of(const Input& input)
+{
+  return invalid_argument_message([&] { Function f(input); });
+}
+
+template <typename NamedParameters>
+std::string message_of(const Mesh& mesh, const NamedParameters& np)
+{
+  return invalid_argument_message([&] { Function f(mesh, np); });
+}
+
+// Shapes on which many points are equally far along an axis, to 1e-9 of their size scaled and to 1e-6 far from the origin.
+void test_scale_and_place_of_symmetric_shapes()
+{
+  for (const Soup& soup : {icosphere_soup(3), scaled(icosphere_soup(3), 1, 2, 5)})
+  {
+    const Function f(to_mesh(soup));
+    const double size = 2 * std::sqrt(f.bounding_sphere().squared_radius());
+    const auto largest = [&](const Function& g, const double scale, const double shift)
+    {
+      double result = 0;
+      for (const Point_3& p : soup.points)
+        for (const double factor : {0.97, 1.03})
+        {
+          const Point_3 q = CGAL::ORIGIN + factor * (p - CGAL::ORIGIN);
+          const Point_3 there(scale * q.x() + shift, scale * q.y() - shift, scale * q.z() + shift);
+          result = (std::max)(result, std::abs(f(q) - g(there) / scale) / size);
+        }
+      return result;
+    };
+    for (const double scale : {1e-6, 1e6})
+    {
+      const double difference = largest(Function(to_mesh(scaled(soup, scale, scale, scale))), scale, 0);
+      std::cout << "symmetric, scaled by " << scale << ": " << difference << std::endl;
+      CHECK(difference < 1e-9);
+    }
+    Soup moved = soup;
+    const double shift = 1000 * size;
+    for (Point_3& p : moved.points)
+      p = p + Vector_3(shift, -shift, shift);
+    const double difference = largest(Function(to_mesh(moved)), 1, shift);
+    std::cout << "symmetric, 1000 D away: " << difference << std::endl;
+    CHECK(difference < 1e-6);
+  }
+  // units whose fourth powers are barely representable
+  for (const double scale : {1e-60, 1e60})
+  {
+    const Function g(to_mesh(scaled(icosphere_soup(2), scale, scale, scale)));
+    CHECK(g(Point_3(0, 0, 0)) < 0 && g(Point_3(2 * scale, 0, 0)) > 0);
+    CHECK(std::isfinite(g(Point_3(1.01 * scale, 0, 0)) / scale));
+  }
+}
+
+// nothing that leaves the function is infinite or not a number
+void check_finite(const Function& f, const std::string& name, const std::vector<Point_3>& points)
+{
+  const double size = std::sqrt(f.bounding_sphere().squared_radius());
+  std::size_t bad = 0;
+  for (const Point_3& p : points)
+    for (const double distance : {0., 1e-9, 0.01, 0.3, 3., 1e6})
+    {
+      const Point_3 q = p + distance * size * Vector_3(0.3, -0.5, 0.8);
+      const auto jet = f.value_and_gradient(q);
+      bad += std::isfinite(jet.first) && std::isfinite(jet.second.squared_length()) && f.hessian(q).allFinite() ? 0 : 1;
+    }
+  std::cout << name << ": not finite " << bad << ", on fallback " << f.diagnostics().patches_on_fallback << " of "
+            << f.diagnostics().number_of_patches << std::endl;
+  CHECK(bad == 0);
+}
+
+void test_degenerate_points()
+{
+  Points_with_normals plane, line, few;
+  for (int i = 0; i < 12; ++i)
+  {
+    line.emplace_back(Point_3(0.1 * i, 0, 0), Vector_3(0, 0, 1));
+    for (int j = 0; j < 12; ++j)
+      plane.emplace_back(Point_3(0.1 * i, 0.1 * j, 0), Vector_3(0, 0, 1));
+  }
+  for (const Points_with_normals& points : {plane, line})
+  {
+    const Function f(points);
+    check_finite(f, "plane or line", {points.front().first, points[5].first, points.back().first});
+    CHECK(f(points[5].first + Vector_3(0, 0, 0.05)) > 0);
+    CHECK(f(points[5].first - Vector_3(0, 0, 0.05)) < 0);
+    CHECK(f(points[5].first + Vector_3(0, 0, 50)) > 0);
+  }
+  for (int n = 2; n <= 4; ++n) // fewer than the polynomials
+  {
+    few.assign(plane.begin(), plane.begin() + n);
+    const Function f(few);
+    check_finite(f, std::to_string(n) + " points", {few.front().first, few.back().first});
+    CHECK(f(few.front().first + Vector_3(0, 0, 0.05)) > 0);
+  }
+  few.resize(1);
+  CHECK(!message_of(few).empty()); // one point has no spacing
+}
+
+void test_zero_normals()
+{
+  Points_with_normals points = points_with_normals(ellipsoid(3));
+  for (std::size_t i = 0; i < points.size(); i += 10)
+    points[i].second = Vector_3(0, 0, 0);
+  const Function f(points);
+  CHECK(f.diagnostics().number_of_points_without_normal == (points.size() + 9) / 10);
+  CHECK(f(Point_3(0, 0, 0)) < 0);
+  for (std::size_t i = 0; i < points.size(); i += 10)
+    CHECK(std::abs(f(points[i].first)) < 1e-9);
+  for (Point_with_normal& p : points)
+    p.second = Vector_3(0, 0, 0);
+  CHECK(contains(message_of(points), "normal"));
+}
+
+// Twelve triangles are too few for a smooth cube: the distance to them takes over, with the sign of the cube everywhere.
+void test_fallback()
+{
+  Mesh cube;
+  CGAL::make_hexahedron(Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(1, 1, 0), Point_3(0, 1, 0), Point_3(0, 1, 1),
+                        Point_3(0, 0, 1), Point_3(1, 0, 1), Point_3(1, 1, 1), cube);
+  CGAL::Polygon_mesh_processing::triangulate_faces(cube);
+  const Function f(cube);
+  CHECK(f.diagnostics().patches_on_fallback == f.diagnostics().number_of_patches);
+  CGAL::Random random(3);
+  std::size_t wrong = 0;
+  for (int i = 0; i < 5000; ++i)
+  {
+    const Point_3 p(random.get_double(-1, 2), random.get_double(-1, 2), random.get_double(-1, 2));
+    const auto distance = [](const double x) { return (std::max)(-x, x - 1); };
+    const double outside = (std::max)(distance(p.x()), (std::max)(distance(p.y()), distance(p.z())));
+    wrong += (f(p) < 0) == (outside < 0) ? 0 : 1;
+    if (outside < 0)
+      wrong += std::abs(f(p) - outside) < 1e-12 ? 0 : 1;
+  }
+  CHECK(wrong == 0);
+  check_finite(f, "cube", {Point_3(0, 0, 0), Point_3(0.5, 0.5, 0.5), Point_3(1, 0.5, 0)});
 }
 
 void test_few_points()
@@ -207,18 +714,6 @@ void test_few_points()
   const double up = g(Point_3(0.4, 0.6, 0.1)), down = g(Point_3(0.4, 0.6, -0.1));
   CHECK(up * down < 0);
   CHECK(std::isfinite(up) && std::isfinite(down));
-}
-
-template <typename Input>
-std::string message_of(const Input& input)
-{
-  return invalid_argument_message([&] { Function f(input); });
-}
-
-template <typename NamedParameters>
-std::string message_of(const Mesh& mesh, const NamedParameters& np)
-{
-  return invalid_argument_message([&] { Function f(mesh, np); });
 }
 
 void test_invalid_input()
@@ -260,11 +755,16 @@ void test_invalid_parameters()
   {
     CHECK(contains(message_of(mesh, patch_overlap(bad)), "patch_overlap is"));
     CHECK(contains(message_of(mesh, offset_distance(bad)), "offset_distance is"));
+    CHECK(contains(message_of(mesh, relative_offset_distance(bad)), "relative_offset_distance is"));
+    CHECK(contains(message_of(mesh, smoothing(bad)), "smoothing is"));
   }
   CHECK(contains(message_of(mesh, offset_distance(0)), "offset_distance is 0"));
   // at the edge of what is allowed
   CHECK_NO_THROW(Function(mesh, patch_overlap(0)));
   CHECK_NO_THROW(Function(mesh, number_of_patches(1000000)));
+  CHECK_NO_THROW(Function(mesh, smoothing(0).two_sided_offsets(true).relative_offset_distance(1)));
+  const Function strange(mesh, smoothing(1e6).relative_offset_distance(50));
+  check_finite(strange, std::vector<Point_3>(mesh.points().begin(), mesh.points().end()));
 }
 
 int main()
@@ -275,6 +775,10 @@ int main()
   test_duplicate_points();
   test_close_sheets();
   test_scale();
+  test_scale_and_place_of_symmetric_shapes();
+  test_degenerate_points();
+  test_zero_normals();
+  test_fallback();
   test_few_points();
   test_invalid_input();
   test_invalid_parameters();
