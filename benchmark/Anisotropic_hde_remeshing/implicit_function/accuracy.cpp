@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Anisotropic_hde_remeshing developers
 
-// A file of its own: so many kernels exhaust what a compiler is ready to inline in a file, and all evaluations in it take
-// longer. Those of the other sections are of one kernel, as in the programs of users.
+// A file of its own: compilers inline less in a file of many kernels, and the other sections measure one kernel, as in the
+// programs of users.
 
 #include "accuracy.h"
 
