@@ -164,7 +164,7 @@ public:
   static constexpr double sign = 1;
 
   /// \param width the shape parameter \f$ w \f$; \throw std::invalid_argument unless it is finite and positive
-  explicit Gaussian_rbf(const double width = 1.3, const Rbf_length_unit unit = Rbf_length_unit::LOCAL_SPACING)
+  explicit Gaussian_rbf(const double width = 1.4, const Rbf_length_unit unit = Rbf_length_unit::LOCAL_SPACING)
     : Rbf_shape_parameter("width", width, unit)
   {
   }
