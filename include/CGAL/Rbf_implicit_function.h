@@ -176,7 +176,7 @@ public:
         parameters::choose_parameter(parameters::get_parameter(np, internal_np::radial_function), RadialFunction());
     const auto sample = std::make_shared<Surface_sample>(sample_input(input, np, Is_range<MeshOrPointRange>()));
     check_sample(*sample);
-    m_normalization = Anisotropic_hde_remeshing::internal::normalize(*sample);
+    m_normalization = sample->normalization;
     m_squared_radius = squared_radius(*sample);
     parameters.absolute_offset *= m_normalization.scale;
     const double input_seconds = timer.time();

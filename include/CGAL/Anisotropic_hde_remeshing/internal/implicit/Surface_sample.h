@@ -30,10 +30,43 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// What the implicit function is built from: points of the surface, their unit normals, the distance to their neighbours, and
-// the facets between them if they are the vertices of a mesh.
+// The map of the coordinates of the caller to those in which the function is built: the box about the points is centred at the
+// origin and its diagonal is in [1/2, 1), so that neither a large nor a small unit nor a far origin harms. The scale is a power
+// of two: it rounds nothing.
+struct Normalization
+{
+  Vector centre = Vector::Zero();
+  double scale = 1;
+
+  Vector operator()(const Vector& p) const { return (p - centre) * scale; }
+};
+
+// normalises the points
+inline Normalization normalize(std::vector<Vector>& points)
+{
+  Normalization result;
+  if (points.empty())
+    return result;
+  Vector low = points.front(), high = low;
+  for (const Vector& p : points)
+  {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  result.centre = low + 0.5 * (high - low);
+  int exponent = 0;
+  std::frexp((high - low).stableNorm(), &exponent);
+  result.scale = std::ldexp(1., (std::min)(-exponent, 1020)); // finite for the smallest of boxes
+  for (Vector& p : points)
+    p = result(p);
+  return result;
+}
+
+// What the implicit function is built from: points of the surface, normalised, their unit normals, the distance to their
+// neighbours, and the facets between them if they are the vertices of a mesh.
 struct Surface_sample
 {
+  Normalization normalization;
   std::vector<Vector> points;
   std::vector<Vector> normals; // zero: unknown, the point has no off-surface points
   std::vector<double> spacings;
@@ -47,38 +80,6 @@ struct Surface_sample
 inline std::size_t memory_bytes_of(const Surface_sample& sample)
 {
   return sample.size() * (2 * sizeof(Vector) + sizeof(double)) + sample.facets.size() * sizeof(Facet);
-}
-
-// The map of the coordinates of the caller to those in which the function is built: the box about the points is centred at the
-// origin and its diagonal is in [1/2, 1), so that neither a large nor a small unit nor a far origin harms. The scale is a power
-// of two: it rounds nothing.
-struct Normalization
-{
-  Vector centre = Vector::Zero();
-  double scale = 1;
-
-  Vector operator()(const Vector& p) const { return (p - centre) * scale; }
-};
-
-inline Normalization normalize(Surface_sample& sample)
-{
-  Normalization result;
-  Vector low = sample.points.front(), high = low;
-  for (const Vector& p : sample.points)
-  {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  result.centre = low + 0.5 * (high - low);
-  int exponent = 0;
-  std::frexp((high - low).stableNorm(), &exponent);
-  result.scale = std::ldexp(1., -exponent);
-  for (std::size_t i = 0; i < sample.size(); ++i)
-  {
-    sample.points[i] = result(sample.points[i]);
-    sample.spacings[i] *= result.scale;
-  }
-  return result;
 }
 
 // the point or vector of the caller in plain numbers
@@ -107,8 +108,7 @@ Vector finite_vector(const Point_or_vector& p, const char* what, const std::size
 template <typename Vector_3>
 Vector unit_normal(const Vector_3& normal, const std::size_t index)
 {
-  const Vector result = finite_vector(normal, "normal", index);
-  return result.norm() > 0 ? Vector(result / result.norm()) : Vector(Vector::Zero());
+  return finite_vector(normal, "normal", index).stableNormalized();
 }
 
 // Equal points would make the system of their patch singular: the first of them stays, with the mean of their normals,

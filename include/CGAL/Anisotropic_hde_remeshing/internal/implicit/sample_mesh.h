@@ -24,28 +24,31 @@
 #include <cmath>
 #include <cstddef>
 #include <type_traits>
+#include <vector>
 
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
 // The normal of a vertex is the mean of its faces' unit normals, weighted by the angles of the faces at the vertex, which
-// does not depend on how the surface is triangulated; its spacing is the mean length of its edges.
-template <typename TriangleMesh, typename VertexPointMap>
-void normal_and_spacing(const typename boost::graph_traits<TriangleMesh>::vertex_descriptor v, const Vector& p,
-                        const TriangleMesh& tmesh, const VertexPointMap vpm, Vector& normal, double& spacing)
+// does not depend on how the surface is triangulated; its spacing is the mean length of its edges. `point_of` gives the
+// normalised point of a vertex.
+template <typename TriangleMesh, typename PointOf>
+void normal_and_spacing(const typename boost::graph_traits<TriangleMesh>::vertex_descriptor v, const TriangleMesh& tmesh,
+                        const PointOf& point_of, Vector& normal, double& spacing)
 {
+  const Vector p = point_of(v);
   normal.setZero();
   spacing = 0;
   std::size_t degree = 0;
   for (const auto h : halfedges_around_target(v, tmesh))
   {
-    const Vector out = to_vector(get(vpm, source(h, tmesh))) - p;
+    const Vector out = point_of(source(h, tmesh)) - p;
     spacing += out.norm();
     ++degree;
     if (is_border(h, tmesh))
       continue;
-    const Vector along = to_vector(get(vpm, target(next(h, tmesh), tmesh))) - p;
+    const Vector along = point_of(target(next(h, tmesh), tmesh)) - p;
     const Vector area = along.cross(out);
     if (area.norm() > 0)
       normal += area.normalized() * std::atan2(area.norm(), along.dot(out));
@@ -55,15 +58,33 @@ void normal_and_spacing(const typename boost::graph_traits<TriangleMesh>::vertex
     normal.normalize();
 }
 
+// polygons as fans
+template <typename TriangleMesh, typename IndexOf>
+std::vector<Facet> facets_of(const TriangleMesh& tmesh, const IndexOf& index_of)
+{
+  std::vector<Facet> result;
+  result.reserve(num_faces(tmesh));
+  for (const auto f : faces(tmesh))
+  {
+    const auto first = halfedge(f, tmesh);
+    for (auto h = next(first, tmesh); target(h, tmesh) != source(first, tmesh); h = next(h, tmesh))
+      result.push_back({index_of(source(first, tmesh)), index_of(source(h, tmesh)), index_of(target(h, tmesh))});
+  }
+  return result;
+}
+
 // `VertexNormalMap` may be internal_np::Param_not_found: then the normals are computed. The normals of the caller are
 // normalised; a zero one is kept, and means that the vertex has no off-surface point.
 template <typename TriangleMesh, typename VertexPointMap, typename VertexNormalMap>
 Surface_sample sample_mesh(const TriangleMesh& tmesh, const VertexPointMap vpm, const VertexNormalMap vnm)
 {
+  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor Vertex;
   Surface_sample sample;
   const auto new_index = get(dynamic_vertex_property_t<std::size_t>(), tmesh);
+  std::vector<Vertex> used;
+  std::vector<std::size_t> index_in_mesh; // of the used ones, for messages
   std::size_t index = 0;
-  for (const auto v : vertices(tmesh))
+  for (const Vertex v : vertices(tmesh))
   {
     const std::size_t this_index = index++;
     if (halfedge(v, tmesh) == boost::graph_traits<TriangleMesh>::null_halfedge())
@@ -71,25 +92,23 @@ Surface_sample sample_mesh(const TriangleMesh& tmesh, const VertexPointMap vpm, 
       ++sample.number_of_isolated_vertices;
       continue;
     }
-    const Vector p = finite_vector(get(vpm, v), "point", this_index);
-    Vector normal;
-    double spacing;
-    normal_and_spacing(v, p, tmesh, vpm, normal, spacing);
-    if constexpr (!std::is_same<VertexNormalMap, internal_np::Param_not_found>::value)
-      normal = unit_normal(get(vnm, v), this_index);
     put(new_index, v, sample.size());
-    sample.points.push_back(p);
-    sample.normals.push_back(normal);
-    sample.spacings.push_back(spacing);
+    sample.points.push_back(finite_vector(get(vpm, v), "point", this_index));
+    used.push_back(v);
+    index_in_mesh.push_back(this_index);
   }
-  for (const auto f : faces(tmesh))
+  sample.normalization = normalize(sample.points);
+
+  sample.normals.resize(used.size());
+  sample.spacings.resize(used.size());
+  const auto point_of = [&](const Vertex v) -> const Vector& { return sample.points[get(new_index, v)]; };
+  for (std::size_t i = 0; i < used.size(); ++i)
   {
-    // polygons as fans
-    const auto first = halfedge(f, tmesh);
-    for (auto h = next(first, tmesh); target(h, tmesh) != source(first, tmesh); h = next(h, tmesh))
-      sample.facets.push_back({get(new_index, source(first, tmesh)), get(new_index, source(h, tmesh)),
-                               get(new_index, target(h, tmesh))});
+    normal_and_spacing(used[i], tmesh, point_of, sample.normals[i], sample.spacings[i]);
+    if constexpr (!std::is_same<VertexNormalMap, internal_np::Param_not_found>::value)
+      sample.normals[i] = unit_normal(get(vnm, used[i]), index_in_mesh[i]);
   }
+  sample.facets = facets_of(tmesh, [&](const Vertex v) { return get(new_index, v); });
   merge_duplicate_points(sample);
   return sample;
 }

@@ -55,6 +55,7 @@ Surface_sample sample_points(const PointRange& range, const PointMap point_map, 
     sample.normals.push_back(unit_normal(get(normal_map, item), index));
     ++index;
   }
+  sample.normalization = normalize(sample.points);
   sample.spacings.assign(sample.size(), 0.);
   merge_duplicate_points(sample);
   compute_spacings<ConcurrencyTag>(sample);
