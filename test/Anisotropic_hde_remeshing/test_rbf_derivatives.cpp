@@ -286,7 +286,7 @@ struct Bare_interpolant
   {
     const auto sample = std::make_shared<internal::Surface_sample>(
         internal::sample_mesh(mesh, mesh.points(), CGAL::internal_np::Param_not_found()));
-    normalization = internal::normalize(*sample);
+    normalization = sample->normalization;
     internal::Interpolation_parameters parameters;
     parameters.number_of_patches = number_of_patches;
     interpolant = std::make_unique<Interpolant>(sample, std::make_shared<internal::Facet_distance>(sample), parameters,

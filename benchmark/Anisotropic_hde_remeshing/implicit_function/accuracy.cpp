@@ -71,7 +71,13 @@ Pair_of_errors residuals(const Function& function, const Mesh& mesh)
   static constexpr double relative_offset = 0.05;
   const Hde::internal::Surface_sample sample =
       Hde::internal::sample_mesh(mesh, get(CGAL::vertex_point, mesh), CGAL::internal_np::Param_not_found());
-  const auto value = [&](const Hde::internal::Vector& p) { return function(Point_3(p.x(), p.y(), p.z())); };
+  // the sample is normalised
+  const double unit = 1 / sample.normalization.scale;
+  const auto value = [&](const Hde::internal::Vector& normalized)
+  {
+    const Hde::internal::Vector p = sample.normalization.centre + unit * normalized;
+    return function(Point_3(p.x(), p.y(), p.z())) * sample.normalization.scale;
+  };
   Pair_of_errors result;
   for (std::size_t i = 0; i < sample.size(); ++i)
   {
@@ -79,6 +85,8 @@ Pair_of_errors residuals(const Function& function, const Mesh& mesh)
     result.first = (std::max)(result.first, std::abs(value(sample.points[i])));
     result.second = (std::max)(result.second, std::abs(value(sample.points[i] + offset * sample.normals[i]) - offset));
   }
+  result.first *= unit;
+  result.second *= unit;
   return result;
 }
 
