@@ -10,11 +10,14 @@
 //
 //   benchmark_remeshing MESH FACES SIGMA [--iso] [--runs N]
 //
-// MESH       a file (OFF, OBJ, PLY, STL), remeshed through its RBF; or `ellipsoid`: an icosphere of level 6 scaled by 1, 2
-//            and 5, remeshed with its exact function and compared with the exact surface
+// MESH       a file (OFF, OBJ, PLY, STL), remeshed through its RBF; or
+//            `ellipsoid`: an icosphere of level 6 scaled by 1, 2 and 5, remeshed with its exact function and compared with the
+//            exact surface; `coarse-ellipsoid`: of level 4, remeshed through its RBF and compared likewise;
+//            `torus`: of radii 1 and 1/4, 65,536 vertices, with its exact function
 // FACES      the number of faces wanted; with a percent sign, in percent of those of the input
 // SIGMA      sigma as a fraction of the diagonal of the bounding box
-// --iso      in turn with CGAL's isotropic_remeshing (10 iterations, the same number of faces); prints the ratio of times
+// --iso      in turn with CGAL's isotropic_remeshing (10 iterations, the same number of faces); prints the ratio of times, and
+//            the mean of the smallest angles in space of both
 // --runs N   how often to run; times are medians (default: 1, with --iso 3)
 
 #include "shapes.h"
@@ -73,7 +76,7 @@ Options parse(const std::vector<std::string>& arguments)
     else
       positional.push_back(arguments[i]);
   if (positional.size() != 3)
-    throw std::invalid_argument("usage: benchmark_remeshing MESH|ellipsoid FACES[%] SIGMA [--iso] [--runs N]");
+    throw std::invalid_argument("usage: benchmark_remeshing MESH|ellipsoid|torus|coarse-ellipsoid FACES[%] SIGMA [--iso] [--runs N]");
   options.mesh = positional[0];
   options.faces = positional[1];
   options.sigma = std::stod(positional[2]);
@@ -283,14 +286,20 @@ void run(const Options& options, const Mesh& input, const Build& build)
             << " D:";
   print_figures(input, mesh, wanted, result);
   print_figures_of_embedding(input, mesh, build(), result);
-  if (options.mesh == "ellipsoid")
+  if (options.mesh == "ellipsoid" || options.mesh == "coarse-ellipsoid")
     print_distance_to_ellipsoid(mesh);
   const double rbf = median(function_seconds), remeshing = median(remeshing_seconds);
   std::cout << " seconds=" << rbf << "+" << remeshing;
   if (options.with_isotropic_remeshing)
   {
     const double isotropic = median(isotropic_seconds);
-    std::cout << " iso_seconds=" << isotropic << " ratio=" << (rbf + remeshing) / isotropic;
+    const Mesh other = isotropically_remeshed(input, length);
+    // without the normals the embedding is space
+    const Hde::Embedding_measures in_space = Hde::measure_embedding(other, Sphere_function(), CGAL::parameters::sigma(0));
+    std::cout << " iso_seconds=" << isotropic << " ratio=" << (rbf + remeshing) / isotropic
+              << " iso_faces=" << other.number_of_faces() << " iso_mean_angle_3D=" << in_space.minimum_angle_mean
+              << " mean_angle_3D="
+              << Hde::measure_embedding(mesh, Sphere_function(), CGAL::parameters::sigma(0)).minimum_angle_mean;
   }
   std::cout << std::endl;
 }
@@ -303,6 +312,17 @@ int main(int argc, char* argv[])
     if (options.mesh == "ellipsoid")
     {
       run(options, ellipsoid(6), [] { return Ellipsoid_function(); });
+      return EXIT_SUCCESS;
+    }
+    if (options.mesh == "torus")
+    {
+      run(options, torus(512, 128), [] { return Torus_function(); });
+      return EXIT_SUCCESS;
+    }
+    if (options.mesh == "coarse-ellipsoid") // of 2,562 vertices, its surface by radial basis functions
+    {
+      const Mesh input = ellipsoid(4);
+      run(options, input, [&input] { return Rbf_function(input); });
       return EXIT_SUCCESS;
     }
     Mesh input;

@@ -13,12 +13,15 @@
 
 #include <CGAL/Anisotropic_hde_remeshing/Principal_curvatures.h>
 #include <CGAL/Anisotropic_hde_remeshing/Rbf_diagnostics.h>
+#include <CGAL/Anisotropic_hde_remeshing/Remeshing_visitor.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/Interruption.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/check_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Facet_distance.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Patchwise_interpolant.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Point_distance.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/sample_mesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/sample_points.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/type_traits.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/named_parameters.h>
 #include <CGAL/Radial_basis_functions.h>
 
@@ -79,16 +82,12 @@ class Rbf_implicit_function
   typedef Anisotropic_hde_remeshing::internal::Patchwise_interpolant<RadialFunction, ConcurrencyTag> Interpolant;
   typedef Anisotropic_hde_remeshing::internal::Surface_sample Surface_sample;
   typedef Anisotropic_hde_remeshing::internal::Signed_distance Signed_distance;
+  typedef Anisotropic_hde_remeshing::internal::Interruption Interruption;
   template <int order>
   using Jet = Anisotropic_hde_remeshing::internal::Jet<order>;
 
-  // boost::graph_traits of a type that is no graph is a hard error: a range is told by its iterator
-  template <typename T, typename = void>
-  struct Is_range : std::false_type
-  {};
   template <typename T>
-  struct Is_range<T, std::void_t<typename T::const_iterator>> : std::true_type
-  {};
+  using Is_range = Anisotropic_hde_remeshing::internal::Is_range<T>;
 
 public:
   typedef GeomTraits Geom_traits;
@@ -160,8 +159,14 @@ public:
       \cgalParamDescription{the object of type `RadialFunction`}
       \cgalParamDefault{`RadialFunction()`}
     \cgalParamNEnd
+    \cgalParamNBegin{visitor}
+      \cgalParamDescription{its `go_further()` is asked every few milliseconds, and may stop the construction}
+      \cgalParamType{a model of `RemeshingVisitor`}
+      \cgalParamDefault{`Anisotropic_hde_remeshing::Remeshing_visitor`}
+    \cgalParamNEnd
   \cgalNamedParamsEnd
 
+  \throw Anisotropic_hde_remeshing::Interrupted if the visitor stops the construction
   \throw std::invalid_argument if there are no points, a coordinate is not finite, all normals are zero, or a parameter is out
          of its range; the message names it
   */
@@ -172,16 +177,19 @@ public:
     Real_timer timer;
     timer.start();
     Anisotropic_hde_remeshing::internal::Interpolation_parameters parameters = interpolation_parameters(np);
+    auto visitor = parameters::choose_parameter(parameters::get_parameter(np, internal_np::visitor),
+                                                Anisotropic_hde_remeshing::Remeshing_visitor());
+    Interruption interruption([&visitor] { return visitor.go_further(); });
     const RadialFunction function =
         parameters::choose_parameter(parameters::get_parameter(np, internal_np::radial_function), RadialFunction());
-    const auto sample = std::make_shared<Surface_sample>(sample_input(input, np, Is_range<MeshOrPointRange>()));
+    const auto sample = std::make_shared<Surface_sample>(sample_input(input, np, interruption, Is_range<MeshOrPointRange>()));
     check_sample(*sample);
     m_normalization = sample->normalization;
     m_squared_radius = squared_radius(*sample);
     parameters.absolute_offset *= m_normalization.scale;
     const double input_seconds = timer.time();
     m_interpolant = std::make_shared<const Interpolant>(sample, signed_distance(sample, Is_range<MeshOrPointRange>()),
-                                                        parameters, function, m_normalization.scale);
+                                                        parameters, function, m_normalization.scale, interruption);
     m_diagnostics = complete(m_interpolant->diagnostics(), *sample, input_seconds);
   }
 
@@ -267,21 +275,23 @@ private:
   }
 
   template <typename TriangleMesh, typename NamedParameters>
-  static Surface_sample sample_input(const TriangleMesh& tmesh, const NamedParameters& np, std::false_type)
+  static Surface_sample sample_input(const TriangleMesh& tmesh, const NamedParameters& np, Interruption& interruption,
+                                     std::false_type)
   {
     using parameters::choose_parameter;
     using parameters::get_parameter;
     return Anisotropic_hde_remeshing::internal::sample_mesh(
         tmesh,
         choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tmesh)),
-        get_parameter(np, internal_np::vertex_normal_map));
+        get_parameter(np, internal_np::vertex_normal_map), interruption);
   }
 
   template <typename PointRange, typename NamedParameters>
-  static Surface_sample sample_input(const PointRange& points, const NamedParameters& np, std::true_type)
+  static Surface_sample sample_input(const PointRange& points, const NamedParameters& np, Interruption& interruption,
+                                     std::true_type)
   {
     return Anisotropic_hde_remeshing::internal::sample_points<ConcurrencyTag>(points, point_map<PointRange>(np),
-                                                                              normal_map<PointRange>(np));
+                                                                              normal_map<PointRange>(np), interruption);
   }
 
   // the defaults are instantiated only where they are used: they ask for pairs

@@ -11,23 +11,23 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
+#include <CGAL/Anisotropic_hde_remeshing/Input_location.h>
 #include <CGAL/Anisotropic_hde_remeshing/Normal_embedding.h>
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_result.h>
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_scheme.h>
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_visitor.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/check_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/named_parameters.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Remesher.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh_conversion.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/remesh_faces.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/type_traits.h>
 #include <CGAL/Rbf_implicit_function.h>
 
-#include <CGAL/Kernel_traits.h>
 #include <CGAL/Real_timer.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/boost/graph/properties.h>
 #include <CGAL/tags.h>
 
-#include <cstddef>
-#include <limits>
-#include <stdexcept>
+#include <boost/graph/graph_traits.hpp>
+
 #include <type_traits>
 
 namespace CGAL {
@@ -35,138 +35,39 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-inline double bounding_box_diagonal(const Working_mesh& mesh)
-{
-  Vector low = Vector::Constant((std::numeric_limits<double>::max)()), high = -low;
-  for (const Vertex_index v : mesh.vertices())
-  {
-    low = low.cwiseMin(mesh.point(v).point);
-    high = high.cwiseMax(mesh.point(v).point);
-  }
-  const double diagonal = (high - low).norm();
-  if (!(diagonal > 0))
-    throw std::invalid_argument("all points of the mesh are equal");
-  return diagonal;
-}
+// which of the functions below is meant
+template <typename T>
+constexpr bool is_face_range = Is_range<std::decay_t<T>>::value;
 
-template <typename NamedParameters>
-double sigma_parameter(const NamedParameters& np, const double diagonal)
-{
-  if constexpr (parameters::is_default_parameter<NamedParameters, internal_np::sigma_t>::value)
-    return 0.01 * diagonal;
-  else
-    return checked_not_negative("sigma", CGAL::to_double(parameters::get_parameter(np, internal_np::sigma)));
-}
-
-template <typename NamedParameters>
-Remeshing_parameters remeshing_parameters(const NamedParameters& np)
+// On the smooth surface through the vertices of the whole mesh, whichever faces are remeshed. The function computes in double
+// also where the points of the mesh are exact.
+template <typename ConcurrencyTag, typename FaceRange, typename TriangleMesh, typename NamedParameters>
+Remeshing_result remesh_faces_on_smooth_surface(const FaceRange& faces, TriangleMesh& tmesh, const bool is_whole_mesh,
+                                                const NamedParameters& np)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  Remeshing_parameters result;
-  result.scheme = choose_parameter(get_parameter(np, internal_np::remeshing_scheme), Remeshing_scheme::DEFAULT);
-  if (result.scheme == Remeshing_scheme::PAPER)
-  {
-    result.collapse_ratio = 0.5;
-    result.split_ratio = 1.5;
-    result.smoothing_ratio = 0.3;
-  }
-  if constexpr (!parameters::is_default_parameter<NamedParameters, internal_np::number_of_iterations_t>::value)
-  {
-    const auto n = get_parameter(np, internal_np::number_of_iterations);
-    if (n < decltype(n)(0) || double(n) > 1e6)
-      throw_invalid_argument("number_of_iterations", n, "from 0 to 1000000");
-    result.number_of_iterations = static_cast<unsigned int>(n);
-  }
-  if constexpr (!parameters::is_default_parameter<NamedParameters, internal_np::number_of_relaxation_steps_t>::value)
-  {
-    const auto n = get_parameter(np, internal_np::number_of_relaxation_steps);
-    if (n < decltype(n)(0) || double(n) > 1e6)
-      throw_invalid_argument("number_of_relaxation_steps", n, "from 0 to 1000000");
-    result.number_of_relaxation_steps = static_cast<unsigned int>(n);
-  }
-  result.smoothing_ratio = checked_between(
-      "smoothing_ratio", choose_parameter(get_parameter(np, internal_np::smoothing_ratio), result.smoothing_ratio), 0, 1);
-  result.collapse_ratio = checked_between(
-      "collapse_ratio", choose_parameter(get_parameter(np, internal_np::collapse_ratio), result.collapse_ratio), 0, 1);
-  result.split_ratio = checked_between(
-      "split_ratio", choose_parameter(get_parameter(np, internal_np::split_ratio), result.split_ratio), 1, 100);
-  return result;
-}
+  typedef std::decay_t<decltype(choose_parameter(get_parameter(np, internal_np::radial_function), Polyharmonic_rbf()))>
+      Radial_function;
 
-// checks target_edge_length and number_of_target_faces before anything is computed
-template <typename NamedParameters>
-void check_target(const NamedParameters& np)
-{
-  constexpr bool has_length =
-      !parameters::is_default_parameter<NamedParameters, internal_np::target_edge_length_t>::value;
-  constexpr bool has_count =
-      !parameters::is_default_parameter<NamedParameters, internal_np::number_of_target_faces_t>::value;
-  static_assert(!has_length || !has_count, "target_edge_length and number_of_target_faces exclude each other");
-  if constexpr (has_length)
-    checked_positive("target_edge_length", CGAL::to_double(parameters::get_parameter(np, internal_np::target_edge_length)));
-  if constexpr (has_count)
-    checked_count("number_of_target_faces", parameters::get_parameter(np, internal_np::number_of_target_faces));
-}
-
-template <typename NamedParameters>
-Target_length target_length(const NamedParameters& np, const Working_mesh& mesh)
-{
-  using parameters::get_parameter;
-  if constexpr (!parameters::is_default_parameter<NamedParameters, internal_np::target_edge_length_t>::value)
-    return Target_length::of_length(CGAL::to_double(get_parameter(np, internal_np::target_edge_length)));
-  else if constexpr (!parameters::is_default_parameter<NamedParameters, internal_np::number_of_target_faces_t>::value)
-    return Target_length::of_number_of_faces(std::size_t(get_parameter(np, internal_np::number_of_target_faces)));
-  else
-    return Target_length::of_number_of_faces(mesh.number_of_faces());
-}
-
-// 1 if the faces of the mesh look along the normals of its vertices, -1 if most of their area looks against them
-inline double orientation(const Working_mesh& mesh)
-{
-  double sum = 0;
-  for (const Face_index f : mesh.faces())
-  {
-    const Triangle t(mesh.halfedge(f), mesh);
-    const Vector &a = mesh.point(t.a).point, &b = mesh.point(t.b).point, &c = mesh.point(t.c).point;
-    sum += (b - a).cross(c - a).dot(mesh.point(t.a).normal + mesh.point(t.b).normal + mesh.point(t.c).normal);
-  }
-  return sum < 0 ? -1 : 1;
-}
-
-// the second step, on the copy of the mesh; what the caller sees of it is the visitor
-template <typename ConcurrencyTag, typename Function, typename Visitor, typename NamedParameters>
-void remesh(Working_mesh& mesh, const Function& function, Visitor& visitor, const NamedParameters& np,
-            Remeshing_result& result)
-{
-  typedef Surface_projection<Function> Projection;
-  typedef Remesher<ConcurrencyTag, Normal_embedding, Projection, Visitor> Remesher;
-  static constexpr double exact_distance = 1e-9; // of the diagonal; one more step of Newton squares it
-
+  check_parameters(np);
+  auto visitor = choose_parameter(get_parameter(np, internal_np::visitor), Remeshing_visitor());
+  visitor.stage_started(Stage::IMPLICIT_FUNCTION);
   Real_timer timer;
   timer.start();
-  visitor.stage_started(Stage::PROJECTION);
-  const double diagonal = bounding_box_diagonal(mesh);
-  result.sigma = sigma_parameter(np, diagonal);
-  const Normal_embedding embedding(result.sigma);
-  const Input_surface input(mesh);
-  const Boundary_curves boundary(mesh);
-  Projection projection(function, input, exact_distance * diagonal);
-  Remesher remesher(mesh, embedding, projection, boundary, remeshing_parameters(np), visitor, result);
-  remesher.project_exactly();
-  if (orientation(mesh) < 0)
+  Remeshing_result result;
+  try
   {
-    projection.set_orientation(-1);
-    for (const Vertex_index v : mesh.vertices())
-      mesh.point(v).normal *= -1;
+    const Rbf_implicit_function<Simple_cartesian<double>, Radial_function, ConcurrencyTag> function(tmesh, np);
+    const double seconds = timer.time();
+    result = remesh_faces<ConcurrencyTag>(faces, tmesh, function, is_whole_mesh, np);
+    result.implicit_function_seconds = seconds;
   }
-  result.projection_seconds = timer.time();
-
-  timer.reset();
-  visitor.stage_started(Stage::REMESHING);
-  remesher.run(target_length(np, mesh));
-  result.projections = projection.counters();
-  result.remeshing_seconds = timer.time();
+  catch (const Interrupted&)
+  {
+    result.was_stopped = true;
+  }
+  return result;
 }
 
 } // namespace internal
@@ -177,11 +78,15 @@ void remesh(Working_mesh& mesh, const Function& function, Visitor& visitor, cons
 
 remeshes a triangle mesh so that it becomes uniform and isotropic in the embedding \f$ (x, \sigma n(x)) \f$ in \f$ R^6 \f$,
 hence adapted to the curvature and stretched along the directions of low curvature in space, by splits, contractions and flips
-of edges and smoothing of vertices. Every vertex inside the surface is put on the zero set of `function`, every vertex of the
-boundary on the polylines that bound the input; sharp turns of these stay. Components, boundary curves and the Euler
-characteristic are kept; no operation folds the surface over.
+of edges and smoothing of vertices. Every vertex inside the surface is put on the zero set of `function`. Vertices of the
+boundary, of constrained edges and of the edges between patches stay on the polylines that these edges form in the input, whose
+ends, branchings and turns of more than 60 degrees are kept; a closed polyline keeps at least 0.85 of its length. Components,
+boundary curves and the Euler characteristic are kept; no operation folds the surface over.
 
 The result does not depend on the number of threads. If an exception is thrown, `tmesh` is as it was.
+
+If constraints are given, constrained vertices, the ends, branchings and turns mentioned above, and protected edges keep their
+descriptors; if none are given, all elements are replaced: descriptors become invalid, and isolated vertices are dropped.
 
 \tparam ConcurrencyTag `Sequential_tag` (the default), `Parallel_tag` or `Parallel_if_available_tag`
 \tparam TriangleMesh a model of `FaceListGraph` and `MutableFaceGraph`
@@ -190,8 +95,7 @@ The result does not depend on the number of threads. If an exception is thrown, 
         concurrently unless `ConcurrencyTag` is `Sequential_tag`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param tmesh the mesh, an orientable manifold, possibly with boundary. Its elements are replaced: descriptors become invalid,
-       isolated vertices are dropped.
+\param tmesh the mesh, an orientable manifold, possibly with boundary
 \param function the surface, whose zero set lies near the mesh
 \param np optional named parameters among the ones below
 
@@ -202,15 +106,25 @@ The result does not depend on the number of threads. If an exception is thrown, 
     \cgalParamType{a number, not negative}
     \cgalParamDefault{0.01 of the diagonal of the bounding box}
   \cgalParamNEnd
+  \cgalParamNBegin{relative_sigma}
+    \cgalParamDescription{\f$ \sigma \f$ as a share of the diagonal of the bounding box; excludes `sigma`}
+    \cgalParamType{a number, not negative}
+    \cgalParamDefault{0.01}
+  \cgalParamNEnd
   \cgalParamNBegin{target_edge_length}
     \cgalParamDescription{the length that the edges shall have in \f$ R^6 \f$, in the unit of the mesh}
     \cgalParamType{a number, positive}
     \cgalParamDefault{follows from `number_of_target_faces`}
   \cgalParamNEnd
+  \cgalParamNBegin{relative_target_edge_length}
+    \cgalParamDescription{the same as a share of the diagonal of the bounding box; excludes `target_edge_length`}
+    \cgalParamType{a number, positive}
+    \cgalParamDefault{follows from `number_of_target_faces`}
+  \cgalParamNEnd
   \cgalParamNBegin{number_of_target_faces}
-    \cgalParamDescription{how many faces the result shall have; excludes `target_edge_length`}
+    \cgalParamDescription{how many faces the result shall have; excludes a target length}
     \cgalParamType{an integer, at least 1}
-    \cgalParamDefault{as many as `tmesh` has}
+    \cgalParamDefault{as many as it had}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_iterations}
     \cgalParamDescription{how often the sequence of operations is done; 0 only projects the vertices}
@@ -220,7 +134,7 @@ The result does not depend on the number of threads. If an exception is thrown, 
   \cgalParamNBegin{number_of_relaxation_steps}
     \cgalParamDescription{how often an iteration smooths; not used by the scheme of the paper}
     \cgalParamType{unsigned int}
-    \cgalParamDefault{2}
+    \cgalParamDefault{3}
   \cgalParamNEnd
   \cgalParamNBegin{remeshing_scheme}
     \cgalParamDescription{the order of the operations}
@@ -242,9 +156,39 @@ The result does not depend on the number of threads. If an exception is thrown, 
     \cgalParamType{a number from 0 to 1}
     \cgalParamDefault{1; 0.3 in the scheme of the paper}
   \cgalParamNEnd
+  \cgalParamNBegin{edge_is_constrained_map}
+    \cgalParamDescription{the edges that the result must have, as they are or subdivided or joined along their polylines; it is
+                          set for the edges of the result}
+    \cgalParamType{a model of `ReadWritePropertyMap` with the edges of `tmesh` as keys and `bool` as values}
+    \cgalParamDefault{no edge is constrained}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_is_constrained_map}
+    \cgalParamDescription{the vertices that stay as they are}
+    \cgalParamType{a model of `ReadablePropertyMap` with the vertices of `tmesh` as keys and `bool` as values}
+    \cgalParamDefault{no vertex is constrained}
+  \cgalParamNEnd
+  \cgalParamNBegin{face_patch_map}
+    \cgalParamDescription{the patches of the faces, which the result keeps: edges between two patches are constrained. It is set
+                          for the faces of the result.}
+    \cgalParamType{a model of `ReadWritePropertyMap` with the faces of `tmesh` as keys and any values that can be compared by
+                   `==`}
+    \cgalParamDefault{all faces are in one patch}
+  \cgalParamNEnd
+  \cgalParamNBegin{protect_constraints}
+    \cgalParamDescription{whether boundary edges, constrained edges and edges between patches stay as they are, too}
+    \cgalParamType{bool}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_location_map}
+    \cgalParamDescription{is told for every vertex of the result the closest point of the input; see
+                          `Anisotropic_hde_remeshing::transfer_vertex_property()`}
+    \cgalParamType{a model of `WritablePropertyMap` with the vertices of `tmesh` as keys and
+                   `Anisotropic_hde_remeshing::Input_location` as values}
+    \cgalParamDefault{not computed}
+  \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{hears of the progress and may stop the remeshing}
-    \cgalParamType{a class with the members of `Anisotropic_hde_remeshing::Remeshing_visitor`}
+    \cgalParamType{a model of `RemeshingVisitor`}
     \cgalParamDefault{`Anisotropic_hde_remeshing::Remeshing_visitor`}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_point_map}
@@ -255,34 +199,17 @@ The result does not depend on the number of threads. If an exception is thrown, 
 
 \return what was done, and the parameters that were chosen
 
-\throw std::invalid_argument if `tmesh` has no faces, a face that is not a triangle, or coordinates that are not finite, or if
-       a parameter is out of its range; the message names it and its value
+\throw std::invalid_argument if `tmesh` has no faces, a face that is not a triangle, a vertex that is not manifold, or
+       coordinates that are not finite, or if a parameter is out of its range; the message names it and its value
 */
 template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename Function,
-          typename NamedParameters = parameters::Default_named_parameters>
+          typename NamedParameters = parameters::Default_named_parameters,
+          typename = std::enable_if_t<!Anisotropic_hde_remeshing::internal::is_face_range<TriangleMesh>>>
 Anisotropic_hde_remeshing::Remeshing_result
 anisotropic_hde_remeshing(TriangleMesh& tmesh, const Function& function,
                           const NamedParameters& np = parameters::default_values())
 {
-  namespace Hde = Anisotropic_hde_remeshing;
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  Hde::internal::check_target(np);
-  Hde::internal::remeshing_parameters(np);
-  auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_property_map(vertex_point, tmesh));
-  auto visitor = choose_parameter(get_parameter(np, internal_np::visitor), Hde::Remeshing_visitor());
-
-  Hde::Remeshing_result result;
-  Hde::internal::Working_mesh mesh;
-  result.number_of_isolated_vertices = Hde::internal::load_mesh(tmesh, vpm, mesh);
-  Hde::internal::remesh<ConcurrencyTag>(mesh, function, visitor, np, result);
-
-  Real_timer timer;
-  timer.start();
-  visitor.stage_started(Hde::Stage::OUTPUT);
-  Hde::internal::store_mesh(mesh, tmesh, vpm);
-  result.output_seconds = timer.time();
-  return result;
+  return Anisotropic_hde_remeshing::internal::remesh_faces<ConcurrencyTag>(faces(tmesh), tmesh, function, true, np);
 }
 
 /*!
@@ -296,27 +223,7 @@ template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typen
 Anisotropic_hde_remeshing::Remeshing_result
 anisotropic_hde_remeshing(TriangleMesh& tmesh, const Named_function_parameters<T, Tag, Base>& np)
 {
-  namespace Hde = Anisotropic_hde_remeshing;
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  typedef typename boost::property_map<TriangleMesh, vertex_point_t>::type Default_point_map;
-  typedef typename internal_np::Lookup_named_param_def<internal_np::vertex_point_t, Named_function_parameters<T, Tag, Base>,
-                                                       Default_point_map>::type Point_map;
-  typedef typename Kernel_traits<typename boost::property_traits<Point_map>::value_type>::Kernel Kernel;
-  typedef std::decay_t<decltype(choose_parameter(get_parameter(np, internal_np::radial_function), Polyharmonic_rbf()))>
-      Radial_function;
-
-  Hde::internal::check_target(np);
-  Hde::internal::remeshing_parameters(np);
-  auto visitor = choose_parameter(get_parameter(np, internal_np::visitor), Hde::Remeshing_visitor());
-  visitor.stage_started(Hde::Stage::IMPLICIT_FUNCTION);
-  Real_timer timer;
-  timer.start();
-  const Rbf_implicit_function<Kernel, Radial_function, ConcurrencyTag> function(tmesh, np);
-  const double seconds = timer.time();
-  Hde::Remeshing_result result = anisotropic_hde_remeshing<ConcurrencyTag>(tmesh, function, np);
-  result.implicit_function_seconds = seconds;
-  return result;
+  return Anisotropic_hde_remeshing::internal::remesh_faces_on_smooth_surface<ConcurrencyTag>(faces(tmesh), tmesh, true, np);
 }
 
 /*!
@@ -328,6 +235,37 @@ template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh>
 Anisotropic_hde_remeshing::Remeshing_result anisotropic_hde_remeshing(TriangleMesh& tmesh)
 {
   return anisotropic_hde_remeshing<ConcurrencyTag>(tmesh, parameters::default_values());
+}
+
+/*!
+\ingroup PkgAnisotropicHdeRemeshingRef
+
+remeshes some faces of a mesh only. All else is untouched and keeps its descriptors, the edges where it meets these faces, too.
+`number_of_target_faces` counts the faces of the range; relative lengths refer to the whole mesh.
+
+\tparam FaceRange a range of `boost::graph_traits<TriangleMesh>::%face_descriptor`, forward
+*/
+template <typename ConcurrencyTag = Sequential_tag, typename FaceRange, typename TriangleMesh, typename Function,
+          typename NamedParameters = parameters::Default_named_parameters,
+          typename = std::enable_if_t<Anisotropic_hde_remeshing::internal::is_face_range<FaceRange>>>
+Anisotropic_hde_remeshing::Remeshing_result
+anisotropic_hde_remeshing(const FaceRange& faces, TriangleMesh& tmesh, const Function& function,
+                          const NamedParameters& np = parameters::default_values())
+{
+  return Anisotropic_hde_remeshing::internal::remesh_faces<ConcurrencyTag>(faces, tmesh, function, false, np);
+}
+
+/*!
+\ingroup PkgAnisotropicHdeRemeshingRef
+
+remeshes some faces of a mesh only, on the smooth surface that `Rbf_implicit_function` lays through the vertices of all of it.
+*/
+template <typename ConcurrencyTag = Sequential_tag, typename FaceRange, typename TriangleMesh, typename T, typename Tag,
+          typename Base, typename = std::enable_if_t<Anisotropic_hde_remeshing::internal::is_face_range<FaceRange>>>
+Anisotropic_hde_remeshing::Remeshing_result
+anisotropic_hde_remeshing(const FaceRange& faces, TriangleMesh& tmesh, const Named_function_parameters<T, Tag, Base>& np)
+{
+  return Anisotropic_hde_remeshing::internal::remesh_faces_on_smooth_surface<ConcurrencyTag>(faces, tmesh, false, np);
 }
 
 } // namespace CGAL

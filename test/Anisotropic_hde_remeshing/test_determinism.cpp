@@ -17,6 +17,7 @@
 #  include <tbb/global_control.h>
 #endif
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <iostream>
@@ -72,6 +73,52 @@ void test_threads(const std::string& name, const Mesh& input, const double sigma
   // another request must give another mesh, or the digest shows nothing
   CHECK(digest_of_rbf_remeshing<CGAL::Sequential_tag>(input, 1.01 * sigma, number_of_faces, function_values) !=
         expected);
+}
+
+// constrained edges, fixed vertices and a range of faces; garbage is not part of the digest
+template <typename Tag>
+std::uint64_t digest_with_constraints(const Mesh& input)
+{
+  Mesh mesh = input;
+  std::vector<Mesh::Face_index> range;
+  auto patch = mesh.add_property_map<Mesh::Face_index, int>("f:patch", 0).first;
+  auto is_constrained = mesh.add_property_map<Mesh::Vertex_index, bool>("v:is_constrained", false).first;
+  for (const Mesh::Face_index f : mesh.faces())
+  {
+    const Point_3& p = mesh.point(mesh.target(mesh.halfedge(f)));
+    patch[f] = int(std::floor(20 * p.x()));
+    if (p.y() > 0)
+      range.push_back(f);
+  }
+  for (const Mesh::Vertex_index v : mesh.vertices())
+    is_constrained[v] = int(v) % 97 == 0;
+  const CGAL::Rbf_implicit_function<Kernel, CGAL::Polyharmonic_rbf, Tag> function(mesh);
+  CGAL::anisotropic_hde_remeshing<Tag>(range, mesh, function,
+                                       CGAL::parameters::number_of_target_faces(9000).face_patch_map(patch)
+                                           .vertex_is_constrained_map(is_constrained));
+  return digest(mesh);
+}
+
+void test_constraints(const Mesh& input)
+{
+  const std::uint64_t expected = digest_with_constraints<CGAL::Sequential_tag>(input);
+  std::cout << "with constraints: " << std::hex << expected << std::dec << std::endl;
+  CHECK(expected != digest(input));
+  CHECK(digest_with_constraints<CGAL::Sequential_tag>(input) == expected);
+#ifdef CGAL_LINKED_WITH_TBB
+  for (const std::size_t number_of_threads : {1, 2, 4, 8})
+  {
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, number_of_threads);
+    CHECK(digest_with_constraints<CGAL::Parallel_tag>(input) == expected);
+  }
+#endif
+}
+
+Mesh scan(const std::string& name)
+{
+  Mesh mesh;
+  CHECK(CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(CGAL::data_file_path("meshes/" + name), mesh));
+  return mesh;
 }
 
 void test_analytic_function()
@@ -143,10 +190,9 @@ int main()
 {
   test_threads("ellipsoid", ellipsoid(4), 0.15, 6000);
   test_threads("half sphere", half_sphere(20), 0.1, 4000);
-  Mesh elephant;
-  if (CHECK(
-          CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(CGAL::data_file_path("meshes/elephant.off"), elephant)))
-    test_threads("elephant", elephant, 0.01, 8000);
+  test_threads("elephant", scan("elephant.off"), 0.01, 8000);
+  test_threads("lion head, with a boundary", scan("lion-head.off"), 0.01, 15000);
+  test_constraints(scan("elephant.off"));
   test_analytic_function();
   test_polyhedron(scaled(icosphere_soup(3), 1, 2, 5), Ellipsoid_function());
   test_polyhedron(half_sphere_soup(16), Sphere_function());

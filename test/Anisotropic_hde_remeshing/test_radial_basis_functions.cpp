@@ -123,14 +123,14 @@ void test_formula(const Kernel& kernel, const Phi& phi)
     second = (std::max)(second, relative_difference(computed.second, expected.second, 1));
     double other_value, other_first;
     kernel(r * r, other_value, other_first);
-    first_alone =
-        (std::max)(first_alone, std::abs(other_value - computed.value) + std::abs(other_first - computed.first));
+    first_alone = (std::max)({first_alone, relative_difference(other_value, computed.value, 1),
+                              relative_difference(other_first, computed.first, 1)});
   }
   std::cout << Kernel::name() << ": value " << value << ", derivatives " << first << " " << second << std::endl;
   CHECK(value <= 1e-14);
   CHECK(first <= 1e-9);
   CHECK(second <= 1e-7); // less than four derivatives at the end of the support
-  CHECK(first_alone == 0);
+  CHECK(first_alone <= 1e-15); // the compiler may round the same formula in two ways
 
   const Kernel_values<double> at_centre(kernel, 0.);
   CHECK_CLOSE(at_centre.value, phi(0), 1e-14);

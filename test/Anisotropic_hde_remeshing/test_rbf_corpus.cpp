@@ -15,7 +15,6 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/Closest_facet.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Input_surface.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Surface_projection.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh_conversion.h>
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
@@ -83,6 +82,8 @@ public:
 
   std::size_t size() const { return m_faces.size(); }
   const Face& operator[](const std::size_t i) const { return m_faces[i]; }
+  const std::vector<internal::Vector>& points() const { return m_points; }
+  const std::vector<internal::Facet>& facets() const { return m_facets; }
 
   // the distance and the face
   std::pair<double, std::size_t> closest(const Point_3& p) const
@@ -133,9 +134,7 @@ struct Projection_figures
 // projects the centres of faces as the remesher does, with a trust radius four times as large as its
 Projection_figures project_centres(const Function& f, const Mesh& mesh, const Faces& faces)
 {
-  internal::Working_mesh working_mesh;
-  internal::load_mesh(mesh, mesh.points(), working_mesh);
-  const internal::Input_surface input(working_mesh);
+  const internal::Input_surface input(faces.points(), faces.facets());
   const double diagonal = bounding_box_diagonal(mesh);
   const internal::Surface_projection<Function> projection(f, input, 1e-9 * diagonal);
   Projection_figures result;

@@ -284,13 +284,14 @@ struct Bare_interpolant
 
   Bare_interpolant(const Mesh& mesh, const std::size_t number_of_patches)
   {
+    internal::Interruption never;
     const auto sample = std::make_shared<internal::Surface_sample>(
-        internal::sample_mesh(mesh, mesh.points(), CGAL::internal_np::Param_not_found()));
+        internal::sample_mesh(mesh, mesh.points(), CGAL::internal_np::Param_not_found(), never));
     normalization = sample->normalization;
     internal::Interpolation_parameters parameters;
     parameters.number_of_patches = number_of_patches;
     interpolant = std::make_unique<Interpolant>(sample, std::make_shared<internal::Facet_distance>(sample), parameters,
-                                                Radial_function(), normalization.scale);
+                                                Radial_function(), normalization.scale, never);
   }
 };
 

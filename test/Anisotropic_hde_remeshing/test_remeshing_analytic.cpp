@@ -11,6 +11,7 @@
 
 #include "remeshing_checks.h"
 
+#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 
@@ -69,6 +70,57 @@ void test_sigma()
       CHECK(aspect_ratio < 1.05);
     last = aspect_ratio;
   }
+}
+
+void test_large_sigma()
+{
+  for (const double sigma : {0., 0.02, 0.05, 0.1, 0.2, 0.5, 1.})
+    for (const std::size_t number_of_faces : {4000, 40000})
+    {
+      const auto test = [&](const std::string& name, const Mesh& input, const auto& function)
+      {
+        Mesh mesh = input;
+        CGAL::anisotropic_hde_remeshing<Tag>(
+            mesh, function, CGAL::parameters::relative_sigma(sigma).number_of_target_faces(number_of_faces));
+        check_validity(name + ", sigma " + std::to_string(sigma) + " D", input, mesh, function);
+        check_number_of_faces(mesh, number_of_faces);
+      };
+      test("ellipsoid", ellipsoid(5), Ellipsoid_function());
+      test("torus", torus(256, 64), Torus_function());
+    }
+}
+
+// scans, for as large a sigma as makes sense
+void test_scans()
+{
+  for (const char* name : {"elephant.off", "bunny00.off"})
+  {
+    Mesh input;
+    if (!CHECK(PMP::IO::read_polygon_mesh(CGAL::data_file_path(std::string("meshes/") + name), input)))
+      continue;
+    const CGAL::Rbf_implicit_function<Kernel> function(input);
+    for (const double sigma : {0.005, 0.02, 0.05})
+    {
+      Mesh mesh = input;
+      CGAL::anisotropic_hde_remeshing<Tag>(
+          mesh, function, CGAL::parameters::relative_sigma(sigma).number_of_target_faces(20000));
+      check_validity(std::string(name) + ", sigma " + std::to_string(sigma) + " D", input, mesh, function);
+      check_number_of_faces(mesh, 20000);
+    }
+  }
+}
+
+// from a coarse mesh to a fine one on the smooth surface through its vertices
+void test_filling_in()
+{
+  const Mesh input = ellipsoid(4); // 2,562 vertices
+  Mesh mesh = input;
+  CGAL::anisotropic_hde_remeshing<Tag>(mesh, CGAL::parameters::relative_sigma(0.15).number_of_target_faces(39996));
+  check_number_of_faces(mesh, 39996);
+  // to first order, from the faces
+  const double rms = Hde::measure_distance_to_zero_set<Tag>(mesh, Ellipsoid_function()).face_rms / bounding_box_diagonal(input);
+  std::cout << "filled in: " << rms << " D" << std::endl;
+  CHECK(rms <= 2.0e-5);
 }
 
 void test_default_parameters()
@@ -191,6 +243,9 @@ int main()
   test_surface("sphere", icosphere(4), Sphere_function(), {0., 0.01, 0.3}, {1500, 5120, 12000});
   test_surface("ellipsoid", ellipsoid(4), Ellipsoid_function(), {0., 0.05, 0.15}, {2000, 5120, 10000});
   test_surface("torus", torus(80, 30), Torus_function(), {0.01, 0.05, 0.2}, {2000, 8000}, bounds_for_grids());
+  test_large_sigma();
+  test_scans();
+  test_filling_in();
   test_default_parameters();
   test_sigma();
   test_target_edge_length();

@@ -75,10 +75,82 @@ void test_invalid_meshes()
       CHECK(contains(message_of_one_call(mesh, none), "vertex 17"));
     }
 
+  // two octahedra that share a vertex
+  Mesh cones;
+  const Mesh::Vertex_index shared = cones.add_vertex(Point_3(0, 0, 0));
+  for (const double side : {-1., 1.})
+  {
+    std::vector<Mesh::Vertex_index> ring;
+    for (int k = 0; k < 4; ++k)
+      ring.push_back(cones.add_vertex(Point_3(std::cos(k * pi / 2), side * std::sin(k * pi / 2), side)));
+    const Mesh::Vertex_index tip = cones.add_vertex(Point_3(0, 0, 2 * side));
+    for (int k = 0; k < 4; ++k)
+    {
+      CHECK(cones.add_face(shared, ring[(k + 1) % 4], ring[k]) != Mesh::null_face());
+      CHECK(cones.add_face(tip, ring[k], ring[(k + 1) % 4]) != Mesh::null_face());
+    }
+  }
+  CHECK(contains(message_of(cones, none), "vertex 0 is not manifold"));
+
   Mesh in_one_point;
   CGAL::make_triangle(Point_3(1, 0, 0), Point_3(1, 0, 0), Point_3(1, 0, 0), in_one_point);
   CHECK(!message_of(in_one_point, none).empty());
   CHECK(!message_of_one_call(in_one_point, none).empty());
+}
+
+// Valid meshes of bad geometry: the result has the topology of the input, finite points and faces that are not worse.
+void test_bad_geometry()
+{
+  const auto check = [](const std::string& name, const Mesh& input)
+  {
+    for (const double factor : {0.5, 2.})
+    {
+      Mesh mesh = input;
+      CGAL::anisotropic_hde_remeshing<Tag>(
+          mesh, CGAL::parameters::number_of_target_faces(std::size_t(factor * double(input.number_of_faces()))));
+      CHECK(CGAL::is_valid_polygon_mesh(mesh));
+      CHECK(CGAL::is_triangle_mesh(mesh));
+      const Hde::Topology_measures before = Hde::measure_topology(input), after = Hde::measure_topology(mesh);
+      CHECK(after.number_of_components == before.number_of_components);
+      CHECK(after.number_of_boundary_loops == before.number_of_boundary_loops);
+      CHECK(after.euler_characteristic == before.euler_characteristic);
+      CHECK(Hde::measure_shape(mesh).number_of_degenerate_faces <= Hde::measure_shape(input).number_of_degenerate_faces);
+      bool is_finite = true;
+      for (const Mesh::Vertex_index v : mesh.vertices())
+        for (int i = 0; i < 3; ++i)
+          is_finite = is_finite && std::isfinite(mesh.point(v)[i]);
+      CHECK(is_finite);
+      std::cout << name << ": " << input.number_of_faces() << " -> " << mesh.number_of_faces() << std::endl;
+    }
+  };
+
+  // collapsed faces, and hence equal points
+  Mesh degenerate = ellipsoid(3);
+  for (int i = 0; i < 40; ++i)
+  {
+    const Mesh::Halfedge_index h(static_cast<Mesh::size_type>(37 * i));
+    degenerate.point(degenerate.source(h)) = degenerate.point(degenerate.target(h));
+  }
+  CHECK(Hde::measure_shape(degenerate).number_of_degenerate_faces >= 40);
+  check("degenerate faces", degenerate);
+
+  // the same sphere twice: equal points and faces; the function sees both
+  Soup twice = icosphere_soup(3);
+  const std::size_t n = twice.points.size(), number_of_triangles = twice.triangles.size();
+  twice.points.insert(twice.points.end(), twice.points.begin(), twice.points.begin() + std::ptrdiff_t(n));
+  for (std::size_t i = 0; i < number_of_triangles; ++i)
+    twice.triangles.push_back(
+        {n + twice.triangles[i][0], n + twice.triangles[i][1], n + twice.triangles[i][2]});
+  check("duplicate faces", to_mesh(twice));
+
+  // spheres that intersect each other
+  Soup crossing = icosphere_soup(3);
+  for (std::size_t i = 0; i < n; ++i)
+    crossing.points.push_back(crossing.points[i] + Vector_3(0.9, 0, 0));
+  for (std::size_t i = 0; i < number_of_triangles; ++i)
+    crossing.triangles.push_back(
+        {n + crossing.triangles[i][0], n + crossing.triangles[i][1], n + crossing.triangles[i][2]});
+  check("self-intersections", to_mesh(crossing));
 }
 
 void test_invalid_parameters()
@@ -97,6 +169,11 @@ void test_invalid_parameters()
   CHECK(contains(message_of(mesh, target_edge_length(0)), "target_edge_length is 0"));
   CHECK(contains(message_of(mesh, number_of_target_faces(0)), "number_of_target_faces is 0"));
   CHECK(contains(message_of(mesh, number_of_target_faces(-5)), "number_of_target_faces is -5"));
+  CHECK(contains(message_of(mesh, number_of_target_faces(1000000000)), "number_of_target_faces is 1e+09") ||
+        contains(message_of(mesh, number_of_target_faces(1000000000)), "number_of_target_faces is 1000000000"));
+  CHECK(contains(message_of(mesh, target_edge_length(1e-9)), "target edge length is 1e-09"));
+  CHECK(contains(message_of(mesh, relative_target_edge_length(-1)), "relative_target_edge_length is -1"));
+  CHECK(contains(message_of(mesh, relative_sigma(-1)), "relative_sigma is -1"));
   CHECK(contains(message_of(mesh, number_of_iterations(-1)), "number_of_iterations is -1"));
   CHECK(contains(message_of(mesh, number_of_relaxation_steps(-1)), "number_of_relaxation_steps is -1"));
   CHECK(contains(message_of(mesh, smoothing_ratio(1.01)), "smoothing_ratio is 1.01"));
@@ -128,129 +205,10 @@ void test_extreme_parameters()
   remesh("sigma tiny", sigma(1e-300));
 }
 
-// what the visitor has heard, shared by its copies
-struct Record
-{
-  std::vector<Hde::Stage> stages;
-  std::vector<double> shares;
-  std::size_t questions = 0;
-};
-
-struct Recording_visitor : Hde::Remeshing_visitor
-{
-  Record* record;
-  std::size_t largest_number_of_questions = std::numeric_limits<std::size_t>::max(); // then it stops
-
-  explicit Recording_visitor(Record& r) : record(&r) {}
-  void stage_started(const Hde::Stage stage) { record->stages.push_back(stage); }
-  void progress(const double share) { record->shares.push_back(share); }
-  bool go_further() { return record->questions++ < largest_number_of_questions; }
-};
-
-void check_record(const Record& record, const bool is_complete)
-{
-  double last = 0;
-  for (const double share : record.shares)
-  {
-    CHECK(share >= last && share <= 1);
-    last = share;
-  }
-  if (is_complete)
-    CHECK_CLOSE(last, 1, 1e-12);
-}
-
-void test_visitor()
-{
-  const Mesh input = ellipsoid(3);
-  Record record;
-  Mesh mesh = input;
-  CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(),
-                                       CGAL::parameters::visitor(Recording_visitor(record)));
-  check_record(record, true);
-  CHECK(record.stages == std::vector<Hde::Stage>({Hde::Stage::PROJECTION, Hde::Stage::REMESHING, Hde::Stage::OUTPUT}));
-  CHECK(record.shares.size() >= 10);
-  CHECK(record.questions >= 10);
-
-  Record of_one_call;
-  mesh = input;
-  CGAL::anisotropic_hde_remeshing<Tag>(mesh, CGAL::parameters::visitor(Recording_visitor(of_one_call)));
-  check_record(of_one_call, true);
-  CHECK(of_one_call.stages == std::vector<Hde::Stage>({Hde::Stage::IMPLICIT_FUNCTION, Hde::Stage::PROJECTION,
-                                                       Hde::Stage::REMESHING, Hde::Stage::OUTPUT}));
-
-  // a visitor that only listens changes nothing
-  Mesh without = input;
-  CGAL::anisotropic_hde_remeshing<Tag>(without, CGAL::parameters::default_values());
-  CHECK(digest(mesh) == digest(without));
-}
-
-void test_stopping()
-{
-  const Mesh input = ellipsoid(3);
-  for (const std::size_t questions : {0, 1, 2, 3, 5, 8, 13, 21, 34})
-  {
-    Record record;
-    Recording_visitor visitor(record);
-    visitor.largest_number_of_questions = questions;
-    Mesh mesh = input;
-    const Hde::Remeshing_result result = CGAL::anisotropic_hde_remeshing<Tag>(
-        mesh, Ellipsoid_function(), CGAL::parameters::visitor(visitor).sigma(1).number_of_target_faces(4000));
-    CHECK(result.was_stopped);
-    CHECK(record.questions <= questions + 1); // asked no more after the answer
-    check_record(record, false);
-    check_validity("stopped after " + std::to_string(questions), input, mesh, Ellipsoid_function());
-  }
-}
-
 struct Stop : std::runtime_error
 {
   Stop() : std::runtime_error("stop") {}
 };
-
-// throws at the n-th call of any kind
-struct Throwing_visitor : Hde::Remeshing_visitor
-{
-  std::size_t* calls;
-  std::size_t n;
-
-  Throwing_visitor(std::size_t& calls, const std::size_t n) : calls(&calls), n(n) {}
-  void count() const
-  {
-    if (++*calls == n)
-      throw Stop();
-  }
-  void stage_started(Hde::Stage) { count(); }
-  void progress(double) { count(); }
-  bool go_further()
-  {
-    count();
-    return true;
-  }
-};
-
-void test_throwing_visitor()
-{
-  const Mesh input = ellipsoid(3);
-  std::size_t all = 0;
-  {
-    Mesh mesh = input;
-    CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(),
-                                         CGAL::parameters::visitor(Throwing_visitor(all, 0)));
-  }
-  CHECK(all > 20);
-  // at the first calls, some in the middle, the last ones
-  for (const std::size_t n : {std::size_t(1), std::size_t(2), std::size_t(3), std::size_t(10), all / 2, all - 1, all})
-  {
-    Mesh mesh = input;
-    std::size_t calls = 0;
-    CHECK_THROWS(CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(),
-                                                      CGAL::parameters::visitor(Throwing_visitor(calls, n))),
-                 Stop);
-    CHECK(digest(mesh) == digest(input));
-  }
-}
-
-// --- Functions that fail ---
 
 struct Throwing_function : Ellipsoid_function
 {
@@ -332,11 +290,9 @@ void test_failing_functions()
 int main()
 {
   test_invalid_meshes();
+  test_bad_geometry();
   test_invalid_parameters();
   test_extreme_parameters();
-  test_visitor();
-  test_stopping();
-  test_throwing_visitor();
   test_failing_functions();
   return check_summary();
 }

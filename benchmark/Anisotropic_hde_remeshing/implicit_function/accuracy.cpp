@@ -69,8 +69,9 @@ template <typename Function>
 Pair_of_errors residuals(const Function& function, const Mesh& mesh)
 {
   static constexpr double relative_offset = 0.05;
+  Hde::internal::Interruption never;
   const Hde::internal::Surface_sample sample =
-      Hde::internal::sample_mesh(mesh, get(CGAL::vertex_point, mesh), CGAL::internal_np::Param_not_found());
+      Hde::internal::sample_mesh(mesh, get(CGAL::vertex_point, mesh), CGAL::internal_np::Param_not_found(), never);
   // the sample is normalised
   const double unit = 1 / sample.normalization.scale;
   const auto value = [&](const Hde::internal::Vector& normalized)

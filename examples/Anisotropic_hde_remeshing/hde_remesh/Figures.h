@@ -25,6 +25,7 @@ struct Figures
   Hde::Shape_measures shape;
   Hde::Embedding_measures embedding;           // shares relative to the mean length
   Hde::Embedding_measures embedding_to_target; // shares relative to the length aimed at
+  Hde::Alignment_measures alignment;
   Hde::Zero_set_measures zero_set;
   std::optional<std::size_t> self_intersections; // pairs of faces, if they were asked for
 };

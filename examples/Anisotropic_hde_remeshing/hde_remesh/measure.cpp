@@ -8,6 +8,7 @@
 
 #include "measure.h"
 
+#include <CGAL/Anisotropic_hde_remeshing/alignment_measures.h>
 #include <CGAL/Anisotropic_hde_remeshing/distance_measures.h>
 #include <CGAL/Anisotropic_hde_remeshing/quality_measures.h>
 #include <CGAL/Anisotropic_hde_remeshing/zero_set_measures.h>
@@ -55,6 +56,7 @@ Figures measure(const Mesh& mesh, const Function_view& function, const double si
   figures.shape = Hde::measure_shape(mesh);
   figures.embedding = Hde::measure_embedding<Tag>(mesh, function, np);
   figures.embedding_to_target = Hde::measure_embedding<Tag>(mesh, function, np.target_edge_length(target_edge_length));
+  figures.alignment = Hde::measure_alignment<Tag>(mesh, function);
   figures.zero_set = Hde::measure_distance_to_zero_set<Tag>(mesh, function);
   if (with_self_intersections)
     figures.self_intersections = number_of_self_intersections(mesh);

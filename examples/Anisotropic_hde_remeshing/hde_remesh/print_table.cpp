@@ -60,6 +60,7 @@ public:
     print_topology(m_report.before.topology, m_report.after.topology);
     print_shape(m_report.before.shape, m_report.after.shape);
     print_embedding(m_report.before.embedding, m_report.after.embedding);
+    print_alignment(m_report.before.alignment, m_report.after.alignment);
     print_surface();
     m_stream << '\n';
     print_stages();
@@ -108,6 +109,14 @@ private:
         fixed(after.minimum_angle_mean, 2));
     row("least 6D angle of all", fixed(before.minimum_angle_least, 2), fixed(after.minimum_angle_least, 2));
     row("folded faces", text(before.number_of_folded_faces), text(after.number_of_folded_faces));
+  }
+
+  void print_alignment(const Hde::Alignment_measures& before, const Hde::Alignment_measures& after)
+  {
+    const auto angle = [](const Hde::Alignment_measures& m)
+    { return m.number_of_faces > 0 ? fixed(m.angle_mean, 2) : std::string("-"); };
+    row("stretched faces where the curvatures differ", text(before.number_of_faces), text(after.number_of_faces));
+    row("their angle to the flatter direction, mean, degrees", angle(before), angle(after));
   }
 
   void print_surface()

@@ -51,6 +51,13 @@ Json to_json(const Hde::Embedding_measures& m, const Hde::Embedding_measures& to
           {"folded_faces", m.number_of_folded_faces}};
 }
 
+Json to_json(const Hde::Alignment_measures& m)
+{
+  return {{"faces", m.number_of_faces},
+          {"angle_mean", m.angle_mean},
+          {"share_within_15_degrees", m.share_within_15_degrees}};
+}
+
 Json to_json(const Hde::Zero_set_measures& m)
 {
   return {{"interior_vertex_max", m.interior_vertex_max},
@@ -65,6 +72,7 @@ Json to_json(const Figures& figures)
   Json json = {{"topology", to_json(figures.topology)},
                {"aspect_ratio", to_json(figures.shape)},
                {"embedding", to_json(figures.embedding, figures.embedding_to_target)},
+               {"alignment", to_json(figures.alignment)},
                {"distance_to_zero_set", to_json(figures.zero_set)}};
   if (figures.self_intersections)
     json["self_intersections"] = *figures.self_intersections;

@@ -81,6 +81,14 @@ struct Distance_measures
   double max() const { return (std::max)(max_from_first, max_from_second); }
 };
 
+/// how the stretched faces of a triangle mesh lie to the curvature of a surface, see `measure_alignment()`
+struct Alignment_measures
+{
+  std::size_t number_of_faces = 0;    ///< stretched, and where the principal curvatures differ
+  double angle_mean = 0;              ///< of these, between their longer axis and the flatter direction, in degrees
+  double share_within_15_degrees = 0; ///< of these, those with an angle of at most 15 degrees
+};
+
 } // namespace Anisotropic_hde_remeshing
 } // namespace CGAL
 

@@ -11,6 +11,8 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
+#include <stdexcept>
+
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 
@@ -23,8 +25,15 @@ enum class Stage
   OUTPUT             ///< the result is written into the mesh of the caller
 };
 
-/// the default visitor of `CGAL::anisotropic_hde_remeshing()`: hears everything, does nothing, never stops the remeshing.
-/// A visitor is any copyable class with these three members; derive from this one and override by name what is needed.
+/// thrown by the constructor of `CGAL::Rbf_implicit_function` if the visitor that it was given stops it; no function is half built.
+/// `CGAL::anisotropic_hde_remeshing()` does not throw it: it returns.
+struct Interrupted : std::runtime_error
+{
+  Interrupted() : std::runtime_error("stopped by the visitor") {}
+};
+
+/// the default visitor of `CGAL::anisotropic_hde_remeshing()`, a model of `RemeshingVisitor`: hears everything, does nothing, never
+/// stops the remeshing. Derive from it and hide the members that are needed.
 /// All calls come from the calling thread. A visitor that throws leaves the mesh as it was given.
 struct Remeshing_visitor
 {
@@ -34,8 +43,9 @@ struct Remeshing_visitor
   /// called with the share done, from 0 to 1; it never decreases within a call
   void progress(double /* share */) {}
 
-  /// asked between any two steps; `false` ends the remeshing early. What has been reached by then, a valid mesh with its
-  /// vertices on the zero set, is written to the mesh of the caller.
+  /// asked between any two steps and, in the long ones, every few milliseconds; `false` ends the remeshing early. What has been
+  /// reached by then, a valid mesh with its vertices on the zero set, is written to the mesh of the caller; before
+  /// `Stage::REMESHING` that mesh stays as it was.
   bool go_further() { return true; }
 };
 

@@ -13,7 +13,7 @@
 
 #include <CGAL/Anisotropic_hde_remeshing/Measures.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/measures/Measured_mesh.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/measures/evaluation.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/evaluation.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/named_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
 
@@ -78,7 +78,7 @@ std::vector<Vector> unit_normals(const Measured_mesh& mesh, const Function& f)
 {
   std::vector<Vector> normals(mesh.points.size());
   parallel_for<ConcurrencyTag>(normals.size(), [&](const std::size_t v)
-                               { normals[v] = measured_gradient(f, mesh.points[v]).stableNormalized(); });
+                               { normals[v] = gradient_of(f, mesh.points[v]).stableNormalized(); });
   return normals;
 }
 

@@ -14,7 +14,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/Measures.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/measures/Area_sampler.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/measures/Measured_mesh.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/measures/evaluation.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/evaluation.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/named_parameters.h>
 
 #include <cstddef>
@@ -52,7 +52,7 @@ Zero_set_measures measure_distance_to_zero_set(const TriangleMesh& tmesh, const 
   const std::size_t number_of_samples = static_cast<std::size_t>(
       choose_parameter(get_parameter(np, internal_np::number_of_points_on_faces), std::size_t(200000)));
   const auto distance = [&f](const internal::Vector& p)
-  { return internal::first_order_distance(internal::measured_value_and_gradient(f, p)); };
+  { return internal::first_order_distance(internal::value_and_gradient_of(f, p)); };
   const auto vertex_max = [&](const bool on_boundary)
   {
     const auto distance_of_vertex = [&](const std::size_t v)

@@ -53,10 +53,12 @@ inline double checked_between(const std::string& name, const double value, const
 
 // counts may come as signed integers or as doubles: a negative one must not wrap around
 template <typename Count>
-std::size_t checked_count(const std::string& name, const Count value)
+std::size_t checked_count(const std::string& name, const Count value, const std::size_t largest = std::size_t(1) << 50)
 {
-  if (!(value >= Count(1)) || !(double(value) <= 1e15))
+  if (!(value >= Count(1)))
     throw_invalid_argument(name, value, "at least 1");
+  if (!(double(value) <= double(largest)))
+    throw_invalid_argument(name, value, "at most " + std::to_string(largest));
   return std::size_t(value);
 }
 

@@ -32,12 +32,15 @@
 
 // List of named parameters that we use in the package 'Anisotropic_hde_remeshing'
 CGAL_add_named_parameter(sigma_t, sigma, sigma)
+CGAL_add_named_parameter(relative_sigma_t, relative_sigma, relative_sigma)
 CGAL_add_named_parameter(target_edge_length_t, target_edge_length, target_edge_length)
+CGAL_add_named_parameter(relative_target_edge_length_t, relative_target_edge_length, relative_target_edge_length)
 CGAL_add_named_parameter(number_of_target_faces_t, number_of_target_faces, number_of_target_faces)
 CGAL_add_named_parameter(smoothing_ratio_t, smoothing_ratio, smoothing_ratio)
 CGAL_add_named_parameter(collapse_ratio_t, collapse_ratio, collapse_ratio)
 CGAL_add_named_parameter(split_ratio_t, split_ratio, split_ratio)
 CGAL_add_named_parameter(remeshing_scheme_t, remeshing_scheme, remeshing_scheme)
+CGAL_add_named_parameter(vertex_location_map_t, vertex_location_map, vertex_location_map)
 
 // List of named parameters used by the class 'Rbf_implicit_function'
 CGAL_add_named_parameter(radial_function_t, radial_function, radial_function)

@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
+#include <CGAL/Anisotropic_hde_remeshing/internal/Interruption.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Surface_sample.h>
 
 #include <Eigen/Eigenvalues>
@@ -66,13 +67,13 @@ public:
   // `blending` and `overlap` are in units of the local spacing; `maximum_leaf_size` splits further where uneven sampling
   // inflates a leaf, as long as that makes it smaller.
   Blending_tree(const Surface_sample& sample, const std::size_t number_of_leaves, const double blending,
-                const double overlap, const std::size_t maximum_leaf_size)
+                const double overlap, const std::size_t maximum_leaf_size, Interruption& interruption)
     : m_blending(blending), m_overlap(overlap), m_maximum_leaf_size(maximum_leaf_size)
   {
     Points all = all_points(sample);
     std::vector<std::size_t> own = all.indices;
     m_nodes.emplace_back();
-    subdivide(sample, 0, own, all, number_of_leaves);
+    subdivide(sample, 0, own, all, number_of_leaves, interruption);
   }
 
   const std::vector<Leaf>& leaves() const { return m_leaves; }
@@ -168,8 +169,9 @@ private:
   }
 
   void subdivide(const Surface_sample& sample, const std::size_t node_index, std::vector<std::size_t>& own, Points& data,
-                 const std::size_t number_of_leaves)
+                 const std::size_t number_of_leaves, Interruption& interruption)
   {
+    interruption.check();
     const bool is_too_large = data.size() > m_maximum_leaf_size && own.size() > 1;
     if ((number_of_leaves > 1 && own.size() > 1) || is_too_large)
     {
@@ -193,8 +195,8 @@ private:
         m_nodes[node_index].parent = parent;
         m_nodes.resize(left + 2);
         m_nodes[left].parent = m_nodes[left + 1].parent = node_index;
-        subdivide(sample, left, own_of[0], data_of[0], (number_of_leaves + 1) / 2);
-        subdivide(sample, left + 1, own_of[1], data_of[1], (std::max)(number_of_leaves / 2, std::size_t(1)));
+        subdivide(sample, left, own_of[0], data_of[0], (number_of_leaves + 1) / 2, interruption);
+        subdivide(sample, left + 1, own_of[1], data_of[1], (std::max)(number_of_leaves / 2, std::size_t(1)), interruption);
         return;
       }
     }

@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
+#include <CGAL/Anisotropic_hde_remeshing/internal/Interruption.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Blending_tree.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
 
@@ -34,7 +35,7 @@ class Off_surface_points
 public:
   // `relative_offset` is in units of the local spacing; a positive `absolute_offset` replaces it
   Off_surface_points(const Surface_sample& sample, const Blending_tree& tree, const double relative_offset,
-                     const double absolute_offset, const bool on_both_sides)
+                     const double absolute_offset, const bool on_both_sides, Interruption& interruption)
     : m_outer(sample.size(), 0.), m_inner(on_both_sides ? sample.size() : 0, 0.), m_is_shortened(sample.size(), 0)
   {
     parallel_for<ConcurrencyTag>(
@@ -53,7 +54,8 @@ public:
             m_is_shortened[i] = m_is_shortened[i] || m_inner[i] != offset;
           }
         },
-        1);
+        1, interruption);
+    interruption.check();
   }
 
   double outer(const std::size_t i) const { return m_outer[i]; }

@@ -12,6 +12,7 @@
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
 #include <CGAL/Anisotropic_hde_remeshing/Rbf_diagnostics.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/Interruption.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Blending_tree.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Off_surface_points.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Patch_check.h>
@@ -78,7 +79,7 @@ class Patchwise_interpolant
 
 public:
   Patchwise_interpolant(Sample_ptr sample, Distance_ptr distance, const Interpolation_parameters& parameters,
-                        const RadialFunction& function, const double unit_of_length)
+                        const RadialFunction& function, const double unit_of_length, Interruption& interruption)
     : m_sample(std::move(sample)), m_distance(std::move(distance))
   {
     Real_timer timer;
@@ -87,14 +88,14 @@ public:
                                               ? parameters.number_of_patches
                                               : Interpolation_parameters::patches_of(m_sample->size());
     m_tree = Blending_tree(*m_sample, number_of_patches, parameters.patch_blending, parameters.patch_overlap,
-                           maximum_points_of_patch(number_of_patches, parameters));
+                           maximum_points_of_patch(number_of_patches, parameters), interruption);
     m_diagnostics.partition_seconds = timer.time();
     timer.reset();
     const Offsets offsets(*m_sample, m_tree, parameters.relative_offset, parameters.absolute_offset,
-                          parameters.offsets_on_both_sides);
+                          parameters.offsets_on_both_sides, interruption);
     m_diagnostics.constraint_seconds = timer.time();
     timer.reset();
-    solve(Solver_of_patch(*m_sample, offsets, function, unit_of_length), parameters);
+    solve(Solver_of_patch(*m_sample, offsets, function, unit_of_length), parameters, interruption);
     m_diagnostics.solve_seconds = timer.time();
     m_diagnostics.number_of_shortened_offsets = offsets.number_of_shortened_offsets();
     m_tree.release_points();
@@ -137,14 +138,16 @@ private:
     return Has_compact_support<RadialFunction>::value ? maximum : (std::min)(maximum, largest_dense_patch);
   }
 
-  void solve(const Solver_of_patch& solver, const Interpolation_parameters& parameters)
+  void solve(const Solver_of_patch& solver, const Interpolation_parameters& parameters, Interruption& interruption)
   {
     const std::size_t n = m_tree.leaves().size();
     m_patches.resize(n);
     const Places places = places_of_leaves();
     std::vector<Patch_result> results(n);
     parallel_for<ConcurrencyTag>(
-        n, [&](const std::size_t k) { results[k] = solve_patch(solver, places, parameters, k); }, 1);
+        n, [&](const std::size_t k) { results[k] = solve_patch(solver, places, parameters, k); }, 1,
+        interruption);
+    interruption.check();
     summarise(results);
   }
 

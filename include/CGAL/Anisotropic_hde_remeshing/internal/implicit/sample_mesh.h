@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
+#include <CGAL/Anisotropic_hde_remeshing/internal/Interruption.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Surface_sample.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -76,7 +77,8 @@ std::vector<Facet> facets_of(const TriangleMesh& tmesh, const IndexOf& index_of)
 // `VertexNormalMap` may be internal_np::Param_not_found: then the normals are computed. The normals of the caller are
 // normalised; a zero one is kept, and means that the vertex has no off-surface point.
 template <typename TriangleMesh, typename VertexPointMap, typename VertexNormalMap>
-Surface_sample sample_mesh(const TriangleMesh& tmesh, const VertexPointMap vpm, const VertexNormalMap vnm)
+Surface_sample sample_mesh(const TriangleMesh& tmesh, const VertexPointMap vpm, const VertexNormalMap vnm,
+                           Interruption& interruption)
 {
   typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor Vertex;
   Surface_sample sample;
@@ -86,6 +88,7 @@ Surface_sample sample_mesh(const TriangleMesh& tmesh, const VertexPointMap vpm, 
   std::size_t index = 0;
   for (const Vertex v : vertices(tmesh))
   {
+    interruption.check();
     const std::size_t this_index = index++;
     if (halfedge(v, tmesh) == boost::graph_traits<TriangleMesh>::null_halfedge())
     {
@@ -104,6 +107,7 @@ Surface_sample sample_mesh(const TriangleMesh& tmesh, const VertexPointMap vpm, 
   const auto point_of = [&](const Vertex v) -> const Vector& { return sample.points[get(new_index, v)]; };
   for (std::size_t i = 0; i < used.size(); ++i)
   {
+    interruption.check();
     normal_and_spacing(used[i], tmesh, point_of, sample.normals[i], sample.spacings[i]);
     if constexpr (!std::is_same<VertexNormalMap, internal_np::Param_not_found>::value)
       sample.normals[i] = unit_normal(get(vnm, used[i]), index_in_mesh[i]);

@@ -24,7 +24,7 @@ namespace internal {
 
 // the spacing of a point without edges: the mean distance to its six nearest neighbours, as many as a vertex has
 template <typename ConcurrencyTag>
-void compute_spacings(Surface_sample& sample)
+void compute_spacings(Surface_sample& sample, Interruption& interruption)
 {
   static constexpr unsigned int number_of_neighbors = 6;
   const Point_search search(sample.points);
@@ -41,16 +41,20 @@ void compute_spacings(Surface_sample& sample)
                                      ++count;
                                    }
                                  sample.spacings[i] = count > 0 ? sum / double(count) : 0.;
-                               });
+                               },
+                               256, interruption);
+  interruption.check();
 }
 
 template <typename ConcurrencyTag, typename PointRange, typename PointMap, typename NormalMap>
-Surface_sample sample_points(const PointRange& range, const PointMap point_map, const NormalMap normal_map)
+Surface_sample sample_points(const PointRange& range, const PointMap point_map, const NormalMap normal_map,
+                             Interruption& interruption)
 {
   Surface_sample sample;
   std::size_t index = 0;
   for (const auto& item : range)
   {
+    interruption.check();
     sample.points.push_back(finite_vector(get(point_map, item), "point", index));
     sample.normals.push_back(unit_normal(get(normal_map, item), index));
     ++index;
@@ -58,7 +62,7 @@ Surface_sample sample_points(const PointRange& range, const PointMap point_map, 
   sample.normalization = normalize(sample.points);
   sample.spacings.assign(sample.size(), 0.);
   merge_duplicate_points(sample);
-  compute_spacings<ConcurrencyTag>(sample);
+  compute_spacings<ConcurrencyTag>(sample, interruption);
   return sample;
 }
 

@@ -14,6 +14,8 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/Closest_facet.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Working_mesh.h>
 
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -24,24 +26,28 @@ namespace internal {
 class Input_surface
 {
 public:
-  explicit Input_surface(const Working_mesh& mesh)
+  Input_surface(std::vector<Vector> points, std::vector<Facet> facets)
+    : m_points(std::move(points)), m_facets(std::move(facets)), m_normals(m_points.size(), Vector::Zero())
   {
-    for (const Vertex_index v : mesh.vertices())
-      m_points.push_back(mesh.point(v).point);
-    m_normals.assign(m_points.size(), Vector::Zero());
-    for (const Face_index f : mesh.faces())
+    for (const Facet& facet : m_facets)
     {
-      const Triangle t(mesh.halfedge(f), mesh);
-      m_faces.push_back({t.a, t.b, t.c});
       // weighted by area, as the sum of the cross products is
-      const Vector area = (m_points[t.b] - m_points[t.a]).cross(m_points[t.c] - m_points[t.a]);
-      for (const std::size_t v : m_faces.back())
+      const Vector area =
+          (m_points[facet[1]] - m_points[facet[0]]).cross(m_points[facet[2]] - m_points[facet[0]]);
+      for (const std::size_t v : facet)
         m_normals[v] += area;
     }
     for (Vector& normal : m_normals)
-      if (normal.norm() > 0)
-        normal.normalize();
+      normal.stableNormalize();
   }
+  Input_surface(const Input_surface&) = delete;
+  Input_surface& operator=(const Input_surface&) = delete;
+
+  // whether there is a facet that is not degenerate, and hence a closest one
+  bool empty() const { return m_closest_facet.empty(); }
+
+  // requires that it is not empty
+  Closest_facet::Answer closest(const Vector& p) const { return m_closest_facet(p); }
 
   // moves `state` to the closest point of the facets and gives it the normal interpolated there
   void project(Vertex_state& state) const
@@ -50,7 +56,7 @@ public:
       return;
     const Closest_facet::Answer closest = m_closest_facet(state.point);
     state.point = closest.point;
-    const Facet& facet = m_faces[closest.facet];
+    const Facet& facet = m_facets[closest.facet];
     Vector normal = Vector::Zero();
     for (int k = 0; k < 3; ++k)
       normal += closest.barycentric[k] * m_normals[facet[k]];
@@ -60,9 +66,9 @@ public:
 
 private:
   std::vector<Vector> m_points;
+  std::vector<Facet> m_facets;
   std::vector<Vector> m_normals;
-  std::vector<Facet> m_faces;
-  Closest_facet m_closest_facet{m_points, m_faces};
+  Closest_facet m_closest_facet{m_points, m_facets};
 };
 
 } // namespace internal

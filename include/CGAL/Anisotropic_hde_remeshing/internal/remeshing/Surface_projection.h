@@ -12,7 +12,7 @@
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_result.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Implicit_surface.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/evaluation.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Input_surface.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Working_mesh.h>
 
@@ -33,15 +33,21 @@ class Surface_projection
   static constexpr int bisection_steps = 60;
 
 public:
-  // Lengths: `exact_distance` to the zero set is reached by exact projections.
-  Surface_projection(const Function& function, const Input_surface& input, const double exact_distance)
-    : m_surface(function), m_input(input), m_exact_distance(exact_distance)
+  // Lengths: `exact_distance` to the zero set is reached by exact projections; `unit` of the coordinates, in that of the
+  // function.
+  Surface_projection(const Function& function, const Input_surface& input, const double exact_distance,
+                     const double unit = 1)
+    : m_function(function), m_input(input), m_exact_distance(exact_distance), m_unit(unit)
   {
   }
 
   // the mesh of the caller may be oriented against the gradient: then the normals are turned over
   void set_orientation(const double sign) { m_orientation = sign; }
   double orientation() const { return m_orientation; }
+
+  // whether `project()` would hardly move the point: from a last step of 1e-5 of the diagonal, ten thousand times the distance
+  // that counts as exact, Newton's method leaves its square times a curvature, 1e-9 where that is ten over the diagonal
+  bool is_exact(const Vertex_state& state) const { return state.last_step <= 1e4 * m_exact_distance; }
 
   // onto the zero set, as near as doubles allow
   void project(Vertex_state& state, const double trust_radius) const
@@ -69,7 +75,7 @@ public:
   void update_normal(Vertex_state& state) const
   {
     Vector normal;
-    if (unit(m_surface(state.point).gradient, normal))
+    if (unit(evaluate(state.point).gradient, normal))
       state.normal = m_orientation * normal;
   }
 
@@ -79,6 +85,13 @@ public:
   }
 
 private:
+  Value_and_gradient evaluate(const Vector& p) const
+  {
+    Value_and_gradient result = value_and_gradient_of(m_function, m_unit * p);
+    result.value /= m_unit;
+    return result;
+  }
+
   static bool unit(const Vector& gradient, Vector& normal)
   {
     const double length = gradient.norm();
@@ -97,6 +110,7 @@ private:
     else
     {
       m_input.project(state);
+      state.last_step = 0;
       m_number_by_closest_point.fetch_add(1, std::memory_order_relaxed);
     }
   }
@@ -106,7 +120,7 @@ private:
     Vector p = state.point;
     for (int step = 0; step < newton_steps; ++step)
     {
-      const Value_and_gradient at_p = m_surface(p);
+      const Value_and_gradient at_p = evaluate(p);
       Vector normal;
       if (!std::isfinite(at_p.value) || !unit(at_p.gradient, normal))
         return false;
@@ -118,6 +132,7 @@ private:
       {
         state.point = p;
         state.normal = m_orientation * normal;
+        state.last_step = std::abs(signed_distance);
         return true;
       }
     }
@@ -128,7 +143,7 @@ private:
   // face the way of the start, or it is another sheet
   bool bisection(Vertex_state& state, const double trust_radius) const
   {
-    const Value_and_gradient start = m_surface(state.point);
+    const Value_and_gradient start = evaluate(state.point);
     Vector direction;
     if (!std::isfinite(start.value) || !unit(start.gradient, direction))
       return false;
@@ -139,27 +154,29 @@ private:
     {
       inner = outer;
       outer = trust_radius * k / 8.;
-      is_bracketed = m_surface(state.point + outer * direction).value * start.value <= 0;
+      is_bracketed = evaluate(state.point + outer * direction).value * start.value <= 0;
     }
     if (!is_bracketed)
       return false;
     for (int k = 0; k < bisection_steps && outer - inner > 0.5 * m_exact_distance; ++k)
     {
       const double middle = 0.5 * (inner + outer);
-      (m_surface(state.point + middle * direction).value * start.value > 0 ? inner : outer) = middle;
+      (evaluate(state.point + middle * direction).value * start.value > 0 ? inner : outer) = middle;
     }
     const Vector p = state.point + outer * direction;
     Vector normal;
-    if (!unit(m_surface(p).gradient, normal) || !(normal.dot(start.gradient) > 0))
+    if (!unit(evaluate(p).gradient, normal) || !(normal.dot(start.gradient) > 0))
       return false;
     state.point = p;
     state.normal = m_orientation * normal;
+    state.last_step = 0;
     return true;
   }
 
-  Implicit_surface<Function> m_surface;
+  const Function& m_function;
   const Input_surface& m_input;
   double m_exact_distance;
+  double m_unit;
   double m_orientation = 1;
   mutable std::atomic<std::size_t> m_number_by_newton{0}, m_number_by_bisection{0}, m_number_by_closest_point{0};
 };

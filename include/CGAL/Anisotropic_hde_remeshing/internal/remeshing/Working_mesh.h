@@ -19,6 +19,8 @@
 
 #include <cstddef>
 #include <iostream>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -30,20 +32,81 @@ struct Vertex_state
 {
   Vector point = Vector::Zero();
   Vector normal = Vector::Zero();
-  int curve = -1;           // the boundary curve on which the vertex lies, -1 inside
-  double parameter = 0;     // where on that curve
+  double last_step = 0;     // of the projection; what is left of the distance to the surface is quadratic in it
+  bool is_on_curve = false; // of a boundary or of constrained edges, which the vertex does not leave
   bool is_fixed = false;    // never moved nor removed
-
-  bool is_on_boundary() const { return curve >= 0; }
+  std::size_t input_vertex = (std::numeric_limits<std::size_t>::max)(); // its number in the input, if it comes from there
 };
 
 // for the input and output that Surface_mesh declares for its points; nothing here uses them
 inline std::ostream& operator<<(std::ostream& out, const Vertex_state& v) { return out << v.point.transpose(); }
 inline std::istream& operator>>(std::istream& in, Vertex_state& v) { return in >> v.point[0] >> v.point[1] >> v.point[2]; }
 
+// The part of a curve that a halfedge runs along: arc lengths from the begin of the curve. They decrease where the halfedge
+// runs against the curve, and go round a closed curve without a jump.
+struct Curve_arc
+{
+  static constexpr int none = -1;        // the edge lies on no curve
+  static constexpr int untouchable = -2; // the edge and its ends stay as they are
+  static constexpr int unnamed = 0;      // for the time until the curves are traced
+
+  int curve = none;
+  double source = 0, target = 0;
+
+  Curve_arc reversed() const { return Curve_arc{curve, target, source}; }
+};
+
 // The mesh that is modified: a copy of the caller's, whatever its type, so that the caller's is untouched until the end and
-// the result does not depend on how it numbers and recycles its elements.
-typedef CGAL::Surface_mesh<Vertex_state> Working_mesh;
+// the result does not depend on how it numbers and recycles its elements. An edge knows its arc, a face the face of the input
+// from which it comes, which is the one whose patch it is in.
+class Working_mesh : public CGAL::Surface_mesh<Vertex_state>
+{
+public:
+  typedef CGAL::Surface_mesh<Vertex_state> Graph;
+
+  Working_mesh() { find_properties(); }
+  Working_mesh(const Working_mesh&) = delete;
+  Working_mesh& operator=(const Working_mesh& other)
+  {
+    Graph::operator=(other);
+    find_properties();
+    return *this;
+  }
+
+  // what the functions on graphs take
+  Graph& graph() { return *this; }
+  const Graph& graph() const { return *this; }
+
+  bool is_on_curve(const Edge_index e) const { return m_arcs[e].curve != Curve_arc::none; }
+
+  Curve_arc arc(const Halfedge_index h) const
+  {
+    const Curve_arc& arc = m_arcs[edge(h)];
+    return is_first(h) ? arc : arc.reversed();
+  }
+
+  void set_arc(const Halfedge_index h, const Curve_arc& arc)
+  {
+    m_arcs[edge(h)] = is_first(h) ? arc : arc.reversed();
+  }
+
+  std::size_t input_face(const Face_index f) const { return m_input_faces[f]; }
+  void set_input_face(const Face_index f, const std::size_t input_face) { m_input_faces[f] = input_face; }
+
+private:
+  // the direction of an edge; an Edge_index remembers the halfedge from which it was made, and tells none
+  bool is_first(const Halfedge_index h) const { return h < opposite(h); }
+
+  void find_properties()
+  {
+    m_arcs = add_property_map<Edge_index, Curve_arc>("e:curve_arc").first;
+    m_input_faces = add_property_map<Face_index, std::size_t>("f:input_face").first;
+  }
+
+  Property_map<Edge_index, Curve_arc> m_arcs;
+  Property_map<Face_index, std::size_t> m_input_faces;
+};
+
 typedef Working_mesh::Vertex_index Vertex_index;
 typedef Working_mesh::Halfedge_index Halfedge_index;
 typedef Working_mesh::Edge_index Edge_index;

@@ -11,10 +11,15 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
+#include <CGAL/Anisotropic_hde_remeshing/internal/Interruption.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Curve_network.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Face_guard.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Working_mesh.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -25,11 +30,17 @@ namespace Anisotropic_hde_remeshing {
 namespace internal {
 
 // Contracts edges to one of their ends, which lies on the surface already: no projection is needed (the paper's figure 3).
-template <typename Embedding>
+template <typename ConcurrencyTag, typename Embedding>
 class Edge_collapser
 {
+  // of the part of a curve that an edge stands for; it is .83 for a third of a circle
+  static constexpr double smallest_chord = 0.85;
+
 public:
-  Edge_collapser(Working_mesh& mesh, const Embedding& embedding) : m_mesh(mesh), m_embedding(embedding) {}
+  Edge_collapser(Working_mesh& mesh, const Embedding& embedding, Interruption& interruption)
+    : m_mesh(mesh), m_embedding(embedding), m_interruption(interruption)
+  {
+  }
 
   // one pass over the edges shorter than `length`, the shortest first, `maximum` contractions at most; none makes an edge
   // longer than `longest`. Returns how many it contracted.
@@ -39,7 +50,7 @@ public:
     std::size_t number_of_collapses = 0;
     for (const auto& candidate : short_edges(squared_length))
     {
-      if (number_of_collapses == maximum)
+      if (number_of_collapses == maximum || m_interruption.poll())
         break;
       // earlier contractions may have removed the edge or moved its ends
       if (!m_mesh.is_removed(candidate.second) && this->squared_length(candidate.second) < squared_length &&
@@ -59,9 +70,16 @@ private:
   {
     std::vector<std::pair<double, Edge_index>> candidates;
     for (const Edge_index e : m_mesh.edges())
-      if (squared_length(e) < limit)
-        candidates.emplace_back(squared_length(e), e);
-    std::sort(candidates.begin(), candidates.end());
+    {
+      if (m_interruption.poll())
+        return {};
+      if (m_mesh.arc(m_mesh.halfedge(e)).curve == Curve_arc::untouchable)
+        continue;
+      const double length = squared_length(e);
+      if (length < limit)
+        candidates.emplace_back(length, e);
+    }
+    parallel_sort<ConcurrencyTag>(candidates);
     return candidates;
   }
 
@@ -70,11 +88,41 @@ private:
     const Halfedge_index h = m_mesh.halfedge(e), g = m_mesh.opposite(h);
     const double to_target = cost(h, squared_longest), to_source = cost(g, squared_longest);
     if ((std::min)(to_target, to_source) == (std::numeric_limits<double>::max)() ||
-        !CGAL::Euler::does_satisfy_link_condition(e, m_mesh))
+        !CGAL::Euler::does_satisfy_link_condition(e, m_mesh.graph()))
       return false;
-    const Vertex_state kept = m_mesh.point(to_target <= to_source ? m_mesh.target(h) : m_mesh.source(h));
-    m_mesh.point(CGAL::Euler::collapse_edge(e, m_mesh)) = kept;
+    contract(to_target <= to_source ? h : g);
     return true;
+  }
+
+  // removes the source of h; whichever edges the mesh drops, those that stay have the arcs of the edges at the target, or
+  // along a curve those of the path that they replace
+  void contract(const Halfedge_index h) const
+  {
+    const Vertex_state kept = m_mesh.point(m_mesh.target(h));
+    std::array<std::pair<Vertex_index, Curve_arc>, 3> arcs; // from neighbours to the vertex that stays
+    std::size_t number_of_arcs = 0;
+    for (const Halfedge_index side : {h, m_mesh.opposite(h)})
+    {
+      if (m_mesh.is_border(side))
+        continue;
+      const Halfedge_index to_kept = side == h ? m_mesh.opposite(m_mesh.next(side)) : m_mesh.prev(side);
+      arcs[number_of_arcs++] = {m_mesh.source(to_kept), m_mesh.arc(to_kept)};
+    }
+    if (m_mesh.point(m_mesh.source(h)).is_on_curve)
+      arcs[number_of_arcs++] = path_over_source(h);
+    const Vertex_index v = CGAL::Euler::collapse_edge(m_mesh.edge(h), m_mesh.graph());
+    m_mesh.point(v) = kept;
+    for (std::size_t i = 0; i < number_of_arcs; ++i)
+      m_mesh.set_arc(m_mesh.halfedge(arcs[i].first, v), arcs[i].second);
+  }
+
+  // the arc of the curve from the vertex before the source of h, on the curve of h, to the target of h
+  std::pair<Vertex_index, Curve_arc> path_over_source(const Halfedge_index h) const
+  {
+    const Halfedge_index before = m_mesh.opposite(Curve_network::next_on_curve(m_mesh.opposite(h), m_mesh));
+    const Curve_arc first = m_mesh.arc(before), second = m_mesh.arc(h);
+    return {m_mesh.source(before),
+            Curve_arc{first.curve, first.source, first.target + (second.target - second.source)}};
   }
 
   // the longest squared edge that contracting h to its target makes; the largest double if that is not allowed
@@ -83,10 +131,7 @@ private:
     static constexpr double not_allowed = (std::numeric_limits<double>::max)();
     const Vertex_index removed = m_mesh.source(h), kept = m_mesh.target(h);
     const Vertex_state &from = m_mesh.point(removed), &to = m_mesh.point(kept);
-    // a vertex of the boundary goes along the boundary only, and a boundary keeps three edges at least
-    if (from.is_fixed || (from.is_on_boundary() && !m_mesh.is_border(m_mesh.edge(h))))
-      return not_allowed;
-    if (from.is_on_boundary() && is_border_triangle(h))
+    if (from.is_fixed || (from.is_on_curve && !may_shorten_curve(h)))
       return not_allowed;
     double longest = 0;
     for (Halfedge_index in = m_mesh.opposite(h); ; )
@@ -120,15 +165,27 @@ private:
            Face_guard::accepts(after, Face_guard::quality(a, m_mesh.point(t.b), c));
   }
 
-  bool is_border_triangle(Halfedge_index h) const
+  // A vertex of a curve goes along the curve only, past no face whose other edge is on it, too. The curve does not become much
+  // shorter by it, and a boundary keeps three edges at least.
+  bool may_shorten_curve(const Halfedge_index h) const
   {
-    if (!m_mesh.is_border(h))
-      h = m_mesh.opposite(h);
-    return m_mesh.next(m_mesh.next(m_mesh.next(h))) == h;
+    if (!m_mesh.is_on_curve(m_mesh.edge(h)))
+      return false;
+    const Halfedge_index g = m_mesh.opposite(h);
+    if (m_mesh.is_border(h) ? is_triangle(h) : m_mesh.is_on_curve(m_mesh.edge(m_mesh.prev(h))))
+      return false;
+    if (m_mesh.is_border(g) ? is_triangle(g) : m_mesh.is_on_curve(m_mesh.edge(m_mesh.next(g))))
+      return false;
+    const auto path = path_over_source(h);
+    const double chord = (m_mesh.point(path.first).point - m_mesh.point(m_mesh.target(h)).point).norm();
+    return chord >= smallest_chord * std::abs(path.second.target - path.second.source);
   }
+
+  bool is_triangle(const Halfedge_index h) const { return m_mesh.next(m_mesh.next(m_mesh.next(h))) == h; }
 
   Working_mesh& m_mesh;
   const Embedding& m_embedding;
+  Interruption& m_interruption;
 };
 
 } // namespace internal

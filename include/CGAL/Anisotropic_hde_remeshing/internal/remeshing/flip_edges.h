@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
+#include <CGAL/Anisotropic_hde_remeshing/internal/Interruption.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Face_guard.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Working_mesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/embedded_triangle.h>
@@ -40,7 +41,10 @@ class Edge_flipper
   static constexpr double largest_cosine_of_valence_flip = 0.9659258262890683;
 
 public:
-  Edge_flipper(Working_mesh& mesh, const Embedding& embedding) : m_mesh(mesh), m_embedding(embedding) {}
+  Edge_flipper(Working_mesh& mesh, const Embedding& embedding, Interruption& interruption)
+    : m_mesh(mesh), m_embedding(embedding), m_interruption(interruption)
+  {
+  }
 
   // returns the number of flips
   std::size_t operator()(const Flip_criterion criterion) const
@@ -56,6 +60,8 @@ public:
       std::vector<Edge_index> next_queue;
       for (const Edge_index e : queue)
       {
+        if (m_interruption.poll())
+          return number_of_flips;
         is_queued[e] = 0;
         const bool is_flipped =
             criterion == Flip_criterion::VALENCE ? flip_for_valence(e, valences) : flip_for_angle(e);
@@ -87,14 +93,14 @@ private:
   {
     // an inner vertex wants six edges, one of the boundary four: two are added there
     std::vector<int> valences(vertex_capacity(m_mesh), 0);
-    for (const Vertex_index v : m_mesh.vertices())
-      valences[v] = int(m_mesh.degree(v)) + (m_mesh.point(v).is_on_boundary() ? 2 : 0);
+    for (const Halfedge_index h : m_mesh.halfedges())
+      valences[m_mesh.target(h)] += m_mesh.is_border(h) ? 3 : 1;
     return valences;
   }
 
   bool flip_for_valence(const Edge_index e, std::vector<int>& valences) const
   {
-    if (m_mesh.is_border(e))
+    if (m_mesh.is_on_curve(e))
       return false;
     const Quad q = quad(e);
     const auto square = [](const int x) { return x * x; };
@@ -108,7 +114,7 @@ private:
     largest_cosines(q, cosine_before, cosine_after);
     if (cosine_after > (std::max)(cosine_before, largest_cosine_of_valence_flip) || !is_allowed(q))
       return false;
-    CGAL::Euler::flip_edge(m_mesh.halfedge(e), m_mesh);
+    CGAL::Euler::flip_edge(m_mesh.halfedge(e), m_mesh.graph());
     --valences[q.a];
     --valences[q.b];
     ++valences[q.c];
@@ -118,14 +124,14 @@ private:
 
   bool flip_for_angle(const Edge_index e) const
   {
-    if (m_mesh.is_border(e))
+    if (m_mesh.is_on_curve(e))
       return false;
     const Quad q = quad(e);
     double cosine_before, cosine_after;
     largest_cosines(q, cosine_before, cosine_after);
     if (!(cosine_after < cosine_before - smallest_gain) || !is_allowed(q))
       return false;
-    CGAL::Euler::flip_edge(m_mesh.halfedge(e), m_mesh);
+    CGAL::Euler::flip_edge(m_mesh.halfedge(e), m_mesh.graph());
     return true;
   }
 
@@ -167,6 +173,7 @@ private:
 
   Working_mesh& m_mesh;
   const Embedding& m_embedding;
+  Interruption& m_interruption;
 };
 
 } // namespace internal

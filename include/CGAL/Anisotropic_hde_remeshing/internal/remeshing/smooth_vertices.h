@@ -12,7 +12,7 @@
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Boundary_curves.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Curve_network.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Face_guard.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Surface_projection.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Working_mesh.h>
@@ -44,8 +44,8 @@ class Vertex_smoother
 
 public:
   Vertex_smoother(Working_mesh& mesh, const Embedding& embedding, const Projection& projection,
-                  const Boundary_curves& boundary)
-    : m_mesh(mesh), m_embedding(embedding), m_projection(projection), m_boundary(boundary)
+                  const Curve_network& curves, Interruption& interruption)
+    : m_mesh(mesh), m_embedding(embedding), m_projection(projection), m_curves(curves), m_interruption(interruption)
   {
   }
 
@@ -54,7 +54,7 @@ public:
   {
     const std::size_t n = vertex_capacity(m_mesh);
     std::vector<char> is_moved(n, 0);
-    std::vector<Vertex_state> proposals(n);
+    std::vector<Proposal> proposals(n);
     const std::vector<char> is_chosen = choose(ratio);
     parallel_for<ConcurrencyTag>(n,
                                  [&](const std::size_t i)
@@ -65,14 +65,22 @@ public:
                                    if (!m_mesh.is_removed(v) && !m_mesh.point(v).is_fixed)
                                      is_moved[i] = propose(v, proposals[i]);
                                  },
-                                 64);
+                                 64, m_interruption);
     revert_folds(proposals, is_moved);
+    if (m_interruption.ask())
+      return; // not all have been moved, or looked at
     for (std::size_t i = 0; i < n; ++i)
       if (is_moved[i])
-        m_mesh.point(Vertex_index(static_cast<Vertex_index::size_type>(i))) = proposals[i];
+        accept(Vertex_index(static_cast<Vertex_index::size_type>(i)), proposals[i]);
   }
 
 private:
+  struct Proposal
+  {
+    Vertex_state state;
+    double shift = 0; // along the halfedge of the curve that ends at the vertex and `curve_halfedge` finds
+  };
+
   // two axes orthogonal to a normal
   typedef Eigen::Matrix<double, 3, 2> Frame;
 
@@ -118,28 +126,48 @@ private:
     return largest;
   }
 
-  bool propose(const Vertex_index v, Vertex_state& proposal) const
+  bool propose(const Vertex_index v, Proposal& proposal) const
   {
-    proposal = m_mesh.point(v);
-    return proposal.is_on_boundary() ? slide(v, proposal) : move(v, proposal);
+    proposal.state = m_mesh.point(v);
+    return proposal.state.is_on_curve ? slide(v, proposal) : move(v, proposal.state);
   }
 
-  // along the boundary, to where both edges of it have the same length in the embedding
-  bool slide(const Vertex_index v, Vertex_state& state) const
+  void accept(const Vertex_index v, const Proposal& proposal) const
+  {
+    m_mesh.point(v) = proposal.state;
+    if (!proposal.state.is_on_curve)
+      return;
+    const Halfedge_index in = curve_halfedge(v), out = Curve_network::next_on_curve(in, m_mesh);
+    Curve_arc before = m_mesh.arc(in), behind = m_mesh.arc(out);
+    before.target += proposal.shift;
+    behind.source += proposal.shift;
+    m_mesh.set_arc(in, before);
+    m_mesh.set_arc(out, behind);
+  }
+
+  // one that ends at the vertex
+  Halfedge_index curve_halfedge(const Vertex_index v) const
   {
     Halfedge_index in = m_mesh.halfedge(v);
-    while (!m_mesh.is_border(in))
+    while (!m_mesh.is_on_curve(m_mesh.edge(in)))
       in = m_mesh.prev(m_mesh.opposite(in));
-    const Vertex_state &before = m_mesh.point(m_mesh.source(in)), &behind = m_mesh.point(m_mesh.target(m_mesh.next(in)));
-    if (!Boundary_curves::are_on_one_curve(state, before) || !Boundary_curves::are_on_one_curve(state, behind))
-      return false;
-    const double length_before = std::sqrt(m_embedding.squared_length(before, state)),
-                 length_behind = std::sqrt(m_embedding.squared_length(state, behind));
-    const double way_before = m_boundary.distance(before, state), way_behind = m_boundary.distance(state, behind);
+    return in;
+  }
+
+  // along the curve, to where both edges of it have the same length in the embedding
+  bool slide(const Vertex_index v, Proposal& proposal) const
+  {
+    Vertex_state& state = proposal.state;
+    const Halfedge_index in = curve_halfedge(v), out = Curve_network::next_on_curve(in, m_mesh);
+    const double length_before = std::sqrt(m_embedding.squared_length(m_mesh.point(m_mesh.source(in)), state)),
+                 length_behind = std::sqrt(m_embedding.squared_length(state, m_mesh.point(m_mesh.target(out))));
     const double share = (length_behind - length_before) / (length_behind + length_before);
     if (!(std::abs(share) > negligible_step))
       return false;
-    m_boundary.place(state, state, 0.5 * relaxation * share * (share > 0 ? way_behind : way_before));
+    const Curve_arc before = m_mesh.arc(in), behind = m_mesh.arc(out);
+    const double way = share > 0 ? behind.target - behind.source : before.target - before.source;
+    proposal.shift = 0.5 * relaxation * share * way;
+    state.point = m_curves.point(before.curve, before.target + proposal.shift);
     m_projection.update_normal(state);
     return true;
   }
@@ -223,46 +251,69 @@ private:
     return true;
   }
 
-  // takes back the moves of the vertices of folded faces, as long as there are any: each round takes back at least one move
-  void revert_folds(const std::vector<Vertex_state>& proposals, std::vector<char>& is_moved) const
+  // Takes back the moves of the vertices of folded faces, and then of those that this has folded, until there are none: each
+  // round takes back at least one move.
+  void revert_folds(const std::vector<Proposal>& proposals, std::vector<char>& is_moved) const
   {
-    const auto state = [&](const Vertex_index v) -> const Vertex_state&
-    { return is_moved[v] ? proposals[v] : m_mesh.point(v); };
     std::vector<char> is_folded(face_capacity(m_mesh), 0);
-    for (bool is_any_folded = true; is_any_folded;)
+    parallel_for<ConcurrencyTag>(
+        is_folded.size(),
+        [&](const std::size_t i)
+        {
+          const Face_index f(static_cast<Face_index::size_type>(i));
+          is_folded[i] = !m_mesh.is_removed(f) && folds(f, proposals, is_moved);
+        },
+        256, m_interruption);
+    std::vector<Face_index> folded;
+    for (std::size_t i = 0; i < is_folded.size(); ++i)
+      if (is_folded[i])
+        folded.push_back(Face_index(static_cast<Face_index::size_type>(i)));
+    while (!folded.empty())
     {
-      parallel_for<ConcurrencyTag>(is_folded.size(),
-                                   [&](const std::size_t i)
-                                   {
-                                     const Face_index f(static_cast<Face_index::size_type>(i));
-                                     is_folded[i] = 0;
-                                     if (m_mesh.is_removed(f))
-                                       return;
-                                     const Triangle t(m_mesh.halfedge(f), m_mesh);
-                                     if (!is_moved[t.a] && !is_moved[t.b] && !is_moved[t.c])
-                                       return;
-                                     const double after = Face_guard::quality(state(t.a), state(t.b), state(t.c));
-                                     is_folded[i] =
-                                         after < Face_guard::smallest_cosine &&
-                                         !Face_guard::accepts(after, Face_guard::quality(m_mesh.point(t.a), m_mesh.point(t.b),
-                                                                                         m_mesh.point(t.c)));
-                                   });
-      is_any_folded = false;
-      for (std::size_t i = 0; i < is_folded.size(); ++i)
-      {
-        if (!is_folded[i])
-          continue;
-        const Triangle t(m_mesh.halfedge(Face_index(static_cast<Face_index::size_type>(i))), m_mesh);
-        is_any_folded = true;
-        is_moved[t.a] = is_moved[t.b] = is_moved[t.c] = 0;
-      }
+      const std::vector<Vertex_index> reverted = revert(folded, is_moved);
+      folded.clear();
+      for (const Vertex_index v : reverted)
+        for (const Halfedge_index h : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
+          if (!m_mesh.is_border(h) && folds(m_mesh.face(h), proposals, is_moved))
+            folded.push_back(m_mesh.face(h));
     }
+  }
+
+  // whether the moves fold the face
+  bool folds(const Face_index f, const std::vector<Proposal>& proposals, const std::vector<char>& is_moved) const
+  {
+    const Triangle t(m_mesh.halfedge(f), m_mesh);
+    if (!is_moved[t.a] && !is_moved[t.b] && !is_moved[t.c])
+      return false;
+    const auto state = [&](const Vertex_index v) -> const Vertex_state&
+    { return is_moved[v] ? proposals[v].state : m_mesh.point(v); };
+    const double after = Face_guard::quality(state(t.a), state(t.b), state(t.c));
+    return after < Face_guard::smallest_cosine &&
+           !Face_guard::accepts(after, Face_guard::quality(m_mesh.point(t.a), m_mesh.point(t.b), m_mesh.point(t.c)));
+  }
+
+  // the vertices whose moves it takes back
+  std::vector<Vertex_index> revert(const std::vector<Face_index>& folded, std::vector<char>& is_moved) const
+  {
+    std::vector<Vertex_index> result;
+    for (const Face_index f : folded)
+    {
+      const Triangle t(m_mesh.halfedge(f), m_mesh);
+      for (const Vertex_index v : {t.a, t.b, t.c})
+        if (is_moved[v])
+        {
+          is_moved[v] = 0;
+          result.push_back(v);
+        }
+    }
+    return result;
   }
 
   Working_mesh& m_mesh;
   const Embedding& m_embedding;
   const Projection& m_projection;
-  const Boundary_curves& m_boundary;
+  const Curve_network& m_curves;
+  Interruption& m_interruption;
 };
 
 } // namespace internal

@@ -12,7 +12,7 @@
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Boundary_curves.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Curve_network.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Face_guard.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Surface_projection.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Working_mesh.h>
@@ -36,49 +36,62 @@ class Edge_splitter
 
 public:
   Edge_splitter(Working_mesh& mesh, const Embedding& embedding, const Projection& projection,
-                const Boundary_curves& boundary)
-    : m_mesh(mesh), m_embedding(embedding), m_projection(projection), m_boundary(boundary)
+                const Curve_network& curves, Interruption& interruption)
+    : m_mesh(mesh), m_embedding(embedding), m_projection(projection), m_curves(curves), m_interruption(interruption)
   {
   }
 
   // one pass over the edges longer than `length`, the longest first, `maximum` at most; returns how many it split
   std::size_t operator()(const double length, const std::size_t maximum = std::size_t(-1)) const
   {
-    std::vector<Candidate> candidates = long_edges(length * length);
-    if (candidates.size() > maximum)
-      candidates.resize(maximum);
-    parallel_for<ConcurrencyTag>(candidates.size(), [&](const std::size_t i) { place_middle(candidates[i]); }, 16);
+    std::vector<Candidate> candidates = long_edges(length * length, maximum);
+    parallel_for<ConcurrencyTag>(
+        candidates.size(), [&](const std::size_t i) { place_middle(candidates[i]); }, 16, m_interruption);
     std::size_t number_of_splits = 0;
     for (const Candidate& candidate : candidates)
+    {
+      if (m_interruption.poll())
+        break;
       if (candidate.is_good && is_allowed(candidate))
       {
         split(candidate);
         ++number_of_splits;
       }
+    }
     return number_of_splits;
   }
 
 private:
   struct Candidate
   {
-    double squared_length;
+    double squared_length = 0;
     Edge_index edge;
     Vertex_state middle;
     bool is_good = false;
   };
 
-  std::vector<Candidate> long_edges(const double squared_length) const
+  // the longest first
+  std::vector<Candidate> long_edges(const double squared_length, const std::size_t maximum) const
   {
-    std::vector<Candidate> candidates;
+    std::vector<std::pair<double, Edge_index>> edges;
     for (const Edge_index e : m_mesh.edges())
     {
-      const double candidate =
+      if (m_interruption.poll())
+        return {};
+      if (m_mesh.arc(m_mesh.halfedge(e)).curve == Curve_arc::untouchable)
+        continue;
+      const double length =
           m_embedding.squared_length(m_mesh.point(m_mesh.vertex(e, 0)), m_mesh.point(m_mesh.vertex(e, 1)));
-      if (candidate > squared_length)
-        candidates.push_back(Candidate{candidate, e, Vertex_state()});
+      if (length > squared_length)
+        edges.emplace_back(-length, e);
     }
-    std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b)
-              { return std::make_pair(-a.squared_length, a.edge) < std::make_pair(-b.squared_length, b.edge); });
+    parallel_sort<ConcurrencyTag>(edges);
+    std::vector<Candidate> candidates((std::min)(edges.size(), maximum));
+    for (std::size_t i = 0; i < candidates.size(); ++i)
+    {
+      candidates[i].squared_length = -edges[i].first;
+      candidates[i].edge = edges[i].second;
+    }
     return candidates;
   }
 
@@ -86,8 +99,8 @@ private:
   {
     const Halfedge_index h = m_mesh.halfedge(candidate.edge);
     const Vertex_state &a = m_mesh.point(m_mesh.source(h)), &b = m_mesh.point(m_mesh.target(h));
-    if (m_mesh.is_border(candidate.edge))
-      place_on_curve(m_mesh.is_border(h) ? a : b, m_mesh.is_border(h) ? b : a, candidate.middle);
+    if (m_mesh.is_on_curve(candidate.edge))
+      place_on_curve(m_mesh.arc(h), candidate.middle);
     else
       place_on_surface(a, b, candidate.middle);
     const double largest = largest_half * largest_half * candidate.squared_length;
@@ -96,12 +109,10 @@ private:
                         candidate.middle.normal.dot(a.normal + b.normal) > 0;
   }
 
-  void place_on_curve(const Vertex_state& from, const Vertex_state& to, Vertex_state& middle) const
+  void place_on_curve(const Curve_arc& arc, Vertex_state& middle) const
   {
-    middle.normal = from.normal;
-    if (!Boundary_curves::are_on_one_curve(from, to))
-      return; // the halves will be too long, and the edge stays
-    m_boundary.place(middle, from, 0.5 * m_boundary.distance(from, to));
+    middle.is_on_curve = true;
+    middle.point = m_curves.point(arc.curve, 0.5 * (arc.source + arc.target));
     m_projection.update_normal(middle);
   }
 
@@ -136,19 +147,33 @@ private:
 
   void split(const Candidate& candidate) const
   {
-    const Halfedge_index from = CGAL::Euler::split_edge(m_mesh.halfedge(candidate.edge), m_mesh);
+    const Halfedge_index to = m_mesh.halfedge(candidate.edge);
+    const Curve_arc arc = m_mesh.arc(to);
+    const double middle = 0.5 * (arc.source + arc.target);
+    const Halfedge_index from = CGAL::Euler::split_edge(to, m_mesh.graph());
     m_mesh.point(m_mesh.target(from)) = candidate.middle;
+    m_mesh.set_arc(from, Curve_arc{arc.curve, arc.source, middle});
+    m_mesh.set_arc(to, Curve_arc{arc.curve, middle, arc.target});
     if (!m_mesh.is_border(from))
-      CGAL::Euler::split_face(from, m_mesh.next(m_mesh.next(from)), m_mesh);
+      split_face(from, m_mesh.next(m_mesh.next(from)));
     const Halfedge_index back = m_mesh.opposite(from);
     if (!m_mesh.is_border(back))
-      CGAL::Euler::split_face(m_mesh.prev(back), m_mesh.next(back), m_mesh);
+      split_face(m_mesh.prev(back), m_mesh.next(back));
+  }
+
+  void split_face(const Halfedge_index g, const Halfedge_index h) const
+  {
+    const std::size_t input_face = m_mesh.input_face(m_mesh.face(g));
+    const Halfedge_index between = CGAL::Euler::split_face(g, h, m_mesh.graph());
+    m_mesh.set_input_face(m_mesh.face(between), input_face);
+    m_mesh.set_input_face(m_mesh.face(m_mesh.opposite(between)), input_face);
   }
 
   Working_mesh& m_mesh;
   const Embedding& m_embedding;
   const Projection& m_projection;
-  const Boundary_curves& m_boundary;
+  const Curve_network& m_curves;
+  Interruption& m_interruption;
 };
 
 } // namespace internal

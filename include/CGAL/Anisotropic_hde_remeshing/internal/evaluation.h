@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Anisotropic_hde_remeshing developers
 
-#ifndef CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_MEASURES_EVALUATION_H
-#define CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_MEASURES_EVALUATION_H
+#ifndef CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_EVALUATION_H
+#define CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_EVALUATION_H
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
@@ -15,6 +15,7 @@
 
 #include <CGAL/number_utils.h>
 
+#include <cmath>
 #include <limits>
 #include <type_traits>
 #include <utility>
@@ -34,7 +35,7 @@ struct Has_joint_evaluation<Function, std::void_t<decltype(std::declval<const Fu
 
 // value and gradient of any model of `ImplicitFunctionWithGradient`, in one call where it has one for both
 template <typename Function>
-Value_and_gradient measured_value_and_gradient(const Function& function, const Vector& p)
+Value_and_gradient value_and_gradient_of(const Function& function, const Vector& p)
 {
   const typename Function::Point_3 point(p.x(), p.y(), p.z());
   const auto convert = [](const auto& value, const auto& g) {
@@ -50,7 +51,7 @@ Value_and_gradient measured_value_and_gradient(const Function& function, const V
 }
 
 template <typename Function>
-Vector measured_gradient(const Function& function, const Vector& p)
+Vector gradient_of(const Function& function, const Vector& p)
 {
   const auto g = function.gradient(typename Function::Point_3(p.x(), p.y(), p.z()));
   return Vector(to_double(g.x()), to_double(g.y()), to_double(g.z()));
@@ -70,4 +71,4 @@ inline double first_order_distance(const Value_and_gradient& at_point)
 } // namespace Anisotropic_hde_remeshing
 } // namespace CGAL
 
-#endif // CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_MEASURES_EVALUATION_H
+#endif // CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_EVALUATION_H

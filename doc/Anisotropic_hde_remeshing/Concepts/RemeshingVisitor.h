@@ -1,0 +1,34 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+/*!
+\ingroup PkgAnisotropicHdeRemeshingConcepts
+\cgalConcept
+
+The concept `RemeshingVisitor` describes what `CGAL::anisotropic_hde_remeshing()` and the constructor of
+`CGAL::Rbf_implicit_function` tell and ask while they run. All calls come from the calling thread. A visitor is copied; copies
+must share what they remember. If a member throws, the mesh of the caller stays as it was, and the exception reaches the caller.
+
+\cgalRefines{CopyConstructible}
+
+\cgalHasModel `CGAL::Anisotropic_hde_remeshing::Remeshing_visitor`, which does nothing; derive from it and hide the members that
+are needed
+*/
+class RemeshingVisitor
+{
+public:
+  /// called once when `stage` begins
+  void stage_started(CGAL::Anisotropic_hde_remeshing::Stage stage);
+
+  /// called with the share of the remeshing that is done, from 0 to 1, which never decreases within a call
+  void progress(double share);
+
+  /// asked between any two steps and every few milliseconds within them. If it returns `false`, the call returns soon, with a
+  /// valid mesh on the surface; before `Stage::REMESHING` the mesh is the one that was given.
+  bool go_further();
+};

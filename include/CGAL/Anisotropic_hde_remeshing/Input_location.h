@@ -1,0 +1,37 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+#ifndef CGAL_ANISOTROPIC_HDE_REMESHING_INPUT_LOCATION_H
+#define CGAL_ANISOTROPIC_HDE_REMESHING_INPUT_LOCATION_H
+
+#include <CGAL/license/Anisotropic_hde_remeshing.h>
+
+#include <array>
+#include <cstddef>
+
+namespace CGAL {
+namespace Anisotropic_hde_remeshing {
+
+/*!
+\ingroup PkgAnisotropicHdeRemeshingRef
+
+where a vertex of the result of `CGAL::anisotropic_hde_remeshing()` comes from: the closest point of the mesh that was given
+*/
+struct Input_location
+{
+  /// the position of the face in the range `faces(tmesh)` before the call
+  std::size_t face = 0;
+  /// the weights of the vertices of the face, the first for the one that comes first in `vertices(tmesh)` and then along the
+  /// face; not negative, of sum 1
+  std::array<double, 3> barycentric_coordinates{{1, 0, 0}};
+};
+
+} // namespace Anisotropic_hde_remeshing
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_HDE_REMESHING_INPUT_LOCATION_H

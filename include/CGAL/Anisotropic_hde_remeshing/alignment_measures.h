@@ -1,0 +1,152 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+#ifndef CGAL_ANISOTROPIC_HDE_REMESHING_ALIGNMENT_MEASURES_H
+#define CGAL_ANISOTROPIC_HDE_REMESHING_ALIGNMENT_MEASURES_H
+
+#include <CGAL/license/Anisotropic_hde_remeshing.h>
+
+#include <CGAL/Anisotropic_hde_remeshing/Measures.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/evaluation.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/measures/Measured_mesh.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/named_parameters.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
+
+#include <CGAL/number_type_config.h>
+#include <CGAL/tags.h>
+
+#include <Eigen/Core>
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Anisotropic_hde_remeshing {
+namespace internal {
+
+// the longer axis of the ellipse of inertia of the edges of a triangle, and the ratio of the axes, 1 for equal edges
+struct Stretch
+{
+  Vector direction;
+  double ratio;
+
+  Stretch(const Vector& a, const Vector& b, const Vector& c)
+  {
+    Matrix moments = Matrix::Zero();
+    for (const Vector& edge : {Vector(b - a), Vector(c - b), Vector(a - c)})
+      moments += edge * edge.transpose();
+    const Eigen::SelfAdjointEigenSolver<Matrix> solver(moments);
+    direction = solver.eigenvectors().col(2);
+    const double shorter = solver.eigenvalues()[1];
+    ratio = shorter > 0 ? std::sqrt(solver.eigenvalues()[2] / shorter) : 1.;
+  }
+};
+
+// The direction of the smaller absolute curvature of the level set through p, and both curvatures, by central differences of
+// the unit normal: any function has a gradient.
+struct Curvature_direction
+{
+  Vector direction = Vector::Zero();
+  double smaller = 0, larger = 0; // absolute values
+
+  template <typename Function>
+  Curvature_direction(const Function& function, const Vector& p, const double step)
+  {
+    const auto normal_at = [&](const Vector& q) { return gradient_of(function, q).stableNormalized(); };
+    const Vector normal = normal_at(p);
+    if (!(normal.squaredNorm() > 0.5)) // the gradient vanishes or is not finite
+      return;
+    Eigen::Matrix<double, 3, 2> frame;
+    frame.col(0) = normal.unitOrthogonal();
+    frame.col(1) = normal.cross(frame.col(0));
+    Eigen::Matrix2d shape_operator;
+    for (int k = 0; k < 2; ++k)
+      shape_operator.col(k) =
+          frame.transpose() * (normal_at(p + step * frame.col(k)) - normal_at(p - step * frame.col(k))) / (2 * step);
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(0.5 * (shape_operator + shape_operator.transpose()));
+    const Eigen::Vector2d curvatures = solver.eigenvalues().cwiseAbs();
+    const int flatter = curvatures[0] <= curvatures[1] ? 0 : 1;
+    direction = frame * solver.eigenvectors().col(flatter);
+    smaller = curvatures[flatter];
+    larger = curvatures[1 - flatter];
+  }
+};
+
+} // namespace internal
+
+/*!
+\ingroup PkgAnisotropicHdeRemeshingRef
+
+measures how well the stretched faces of a triangle mesh follow the direction in which the surface is flatter. A face counts if
+the ellipse of inertia of its edges has axes of a ratio of at least `smallest_ratio` and the absolute principal curvatures at its
+centroid have one of at least `smallest_ratio`, too; its angle is the one between the longer axis and that direction, in degrees.
+Without alignment the mean is 45.
+
+\tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`: how the gradients are computed
+\tparam TriangleMesh a model of `VertexListGraph`, `EdgeListGraph`, `HalfedgeListGraph` and `FaceListGraph`
+\tparam Function a model of `ImplicitFunctionWithGradient`; its curvatures are taken from differences of its gradient
+\tparam NamedParameters a sequence of named parameters
+
+\param tmesh a triangle mesh
+\param f the implicit function
+\param np optional named parameters: `vertex_point_map` and `geom_traits`
+\param smallest_ratio see above
+
+\pre `is_triangle_mesh(tmesh)`
+*/
+template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename Function,
+          typename NamedParameters = parameters::Default_named_parameters>
+Alignment_measures measure_alignment(const TriangleMesh& tmesh, const Function& f,
+                                     const NamedParameters& np = parameters::default_values(),
+                                     const double smallest_ratio = 1.5)
+{
+  static constexpr double not_counted = -1;
+  static constexpr double relative_step = 1e-3; // of the shortest edge
+  const internal::Measured_mesh mesh = internal::read_measured_mesh(tmesh, np);
+  std::vector<double> angles(mesh.faces.size(), not_counted);
+  internal::parallel_for<ConcurrencyTag>(
+      angles.size(),
+      [&](const std::size_t i)
+      {
+        const internal::Vector &a = mesh.points[mesh.faces[i][0]], &b = mesh.points[mesh.faces[i][1]],
+                               &c = mesh.points[mesh.faces[i][2]];
+        if (mesh.is_degenerate[i])
+          return;
+        const internal::Stretch stretch(a, b, c);
+        if (!(stretch.ratio >= smallest_ratio))
+          return;
+        const double step =
+            relative_step * std::sqrt((std::min)({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
+        const internal::Curvature_direction curvature(f, (a + b + c) / 3, step);
+        if (curvature.larger > 0 && curvature.larger >= smallest_ratio * curvature.smaller)
+          angles[i] = std::acos((std::min)(std::abs(stretch.direction.dot(curvature.direction)), 1.)) * 180 / CGAL_PI;
+      });
+  Alignment_measures measures;
+  for (const double angle : angles)
+    if (angle >= 0)
+    {
+      ++measures.number_of_faces;
+      measures.angle_mean += angle;
+      measures.share_within_15_degrees += angle <= 15 ? 1 : 0;
+    }
+  if (measures.number_of_faces > 0)
+  {
+    measures.angle_mean /= double(measures.number_of_faces);
+    measures.share_within_15_degrees /= double(measures.number_of_faces);
+  }
+  return measures;
+}
+
+} // namespace Anisotropic_hde_remeshing
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_HDE_REMESHING_ALIGNMENT_MEASURES_H

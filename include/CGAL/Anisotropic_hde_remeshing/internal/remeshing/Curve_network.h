@@ -1,0 +1,157 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+#ifndef CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_CURVE_NETWORK_H
+#define CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_CURVE_NETWORK_H
+
+#include <CGAL/license/Anisotropic_hde_remeshing.h>
+
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Working_mesh.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Anisotropic_hde_remeshing {
+namespace internal {
+
+// The polylines of the input that the mesh keeps: its boundaries, the constrained edges and the edges between patches. A
+// curve goes from corner to corner, or is closed without one. Corners, where curves end, branch or turn sharply, are fixed;
+// the other vertices of a curve stay on it.
+class Curve_network
+{
+  // polylines turn by more than this, in radians, at a corner
+  static constexpr double corner_angle = 60 * 3.14159265358979323846 / 180;
+
+public:
+  // traces the edges of the mesh that are marked as unnamed, names their curves and fixes the corners
+  explicit Curve_network(Working_mesh& mesh)
+  {
+    const std::vector<int> degrees = curve_degrees(mesh);
+    for (const Vertex_index v : mesh.vertices())
+      if (degrees[v] > 0)
+      {
+        mesh.point(v).is_on_curve = true;
+        mesh.point(v).is_fixed = mesh.point(v).is_fixed || degrees[v] != 2 || is_sharp(v, mesh);
+      }
+    std::vector<char> is_traced(edge_capacity(mesh), 0);
+    for (const bool from_corners : {true, false}) // what no corner reaches is closed
+      for (const Halfedge_index h : mesh.halfedges())
+        if (is_named_later(mesh.arc(h)) && !is_traced[mesh.edge(h)] &&
+            (mesh.point(mesh.source(h)).is_fixed || !from_corners))
+          trace(h, mesh, is_traced);
+  }
+
+  std::size_t size() const { return m_curves.size(); }
+
+  Vector point(const int curve, const double arc_length) const { return m_curves[std::size_t(curve)].point(arc_length); }
+
+  // the next halfedge along the curve of `h`, whose target is on nothing else
+  static Halfedge_index next_on_curve(const Halfedge_index h, const Working_mesh& mesh)
+  {
+    Halfedge_index in = h;
+    do
+      in = mesh.prev(mesh.opposite(in));
+    while (!mesh.is_on_curve(mesh.edge(in)));
+    return mesh.opposite(in);
+  }
+
+private:
+  class Curve
+  {
+  public:
+    Curve(std::vector<Vector> points, const bool is_closed) : m_points(std::move(points)), m_is_closed(is_closed)
+    {
+      m_arc_lengths.push_back(0);
+      for (std::size_t i = 1; i < m_points.size(); ++i)
+        m_arc_lengths.push_back(m_arc_lengths.back() + (m_points[i] - m_points[i - 1]).norm());
+    }
+
+    const std::vector<double>& arc_lengths() const { return m_arc_lengths; }
+
+    Vector point(double arc_length) const
+    {
+      const double length = m_arc_lengths.back();
+      if (!(length > 0))
+        return m_points.front();
+      if (m_is_closed)
+        arc_length -= length * std::floor(arc_length / length);
+      const auto above = std::upper_bound(m_arc_lengths.begin() + 1, m_arc_lengths.end() - 1, arc_length);
+      const std::size_t i = std::size_t(above - m_arc_lengths.begin()) - 1;
+      const double edge = m_arc_lengths[i + 1] - m_arc_lengths[i];
+      const double share = edge > 0 ? (std::min)((std::max)((arc_length - m_arc_lengths[i]) / edge, 0.), 1.) : 0.;
+      return (1 - share) * m_points[i] + share * m_points[i + 1];
+    }
+
+  private:
+    std::vector<Vector> m_points; // of a closed curve, the first again at the end
+    std::vector<double> m_arc_lengths;
+    bool m_is_closed;
+  };
+
+  static bool is_named_later(const Curve_arc& arc) { return arc.curve == Curve_arc::unnamed; }
+
+  // The number of edges on curves at each vertex. A vertex with an edge that must not be touched is no inner one of a curve.
+  static std::vector<int> curve_degrees(const Working_mesh& mesh)
+  {
+    std::vector<int> degrees(vertex_capacity(mesh), 0);
+    for (const Halfedge_index h : mesh.halfedges())
+    {
+      const int curve = mesh.arc(h).curve;
+      if (curve != Curve_arc::none)
+        degrees[mesh.target(h)] += curve == Curve_arc::untouchable ? 3 : 1;
+    }
+    return degrees;
+  }
+
+  // at a vertex with two edges on curves
+  static bool is_sharp(const Vertex_index v, const Working_mesh& mesh)
+  {
+    Halfedge_index in = mesh.halfedge(v);
+    while (!mesh.is_on_curve(mesh.edge(in)))
+      in = mesh.prev(mesh.opposite(in));
+    const Vector& p = mesh.point(v).point;
+    const Vector before = p - mesh.point(mesh.source(in)).point;
+    const Vector behind = mesh.point(mesh.target(next_on_curve(in, mesh))).point - p;
+    return std::atan2(before.cross(behind).norm(), before.dot(behind)) > corner_angle;
+  }
+
+  // from the source of `first` to the next corner, or round
+  void trace(const Halfedge_index first, Working_mesh& mesh, std::vector<char>& is_traced)
+  {
+    std::vector<Halfedge_index> halfedges(1, first);
+    std::vector<Vector> points{mesh.point(mesh.source(first)).point, mesh.point(mesh.target(first)).point};
+    while (!mesh.point(mesh.target(halfedges.back())).is_fixed)
+    {
+      const Halfedge_index h = next_on_curve(halfedges.back(), mesh);
+      if (h == first)
+        break;
+      halfedges.push_back(h);
+      points.push_back(mesh.point(mesh.target(h)).point);
+    }
+    const int curve = int(m_curves.size());
+    m_curves.emplace_back(std::move(points), !mesh.point(mesh.source(first)).is_fixed);
+    const std::vector<double>& arc_lengths = m_curves.back().arc_lengths();
+    for (std::size_t i = 0; i < halfedges.size(); ++i)
+    {
+      mesh.set_arc(halfedges[i], Curve_arc{curve, arc_lengths[i], arc_lengths[i + 1]});
+      is_traced[mesh.edge(halfedges[i])] = 1;
+    }
+  }
+
+  std::vector<Curve> m_curves;
+};
+
+} // namespace internal
+} // namespace Anisotropic_hde_remeshing
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_CURVE_NETWORK_H

@@ -1,0 +1,173 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+#ifndef CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_REMESH_FACES_H
+#define CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_REMESH_FACES_H
+
+#include <CGAL/license/Anisotropic_hde_remeshing.h>
+
+#include <CGAL/Anisotropic_hde_remeshing/Input_location.h>
+#include <CGAL/Anisotropic_hde_remeshing/Normal_embedding.h>
+#include <CGAL/Anisotropic_hde_remeshing/Remeshing_result.h>
+#include <CGAL/Anisotropic_hde_remeshing/Remeshing_visitor.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/Interruption.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Curve_network.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Input_surface.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Remesher.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Surface_projection.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/load_mesh.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/remeshing_parameters.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/store_mesh.h>
+
+#include <CGAL/Real_timer.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Anisotropic_hde_remeshing {
+namespace internal {
+
+// 1 if the faces of the mesh look along the normals of its vertices, -1 if most of their area looks against them
+inline double orientation(const Working_mesh& mesh)
+{
+  double sum = 0;
+  for (const Face_index f : mesh.faces())
+  {
+    const Triangle t(mesh.halfedge(f), mesh);
+    const Vector &a = mesh.point(t.a).point, &b = mesh.point(t.b).point, &c = mesh.point(t.c).point;
+    sum += (b - a).cross(c - a).dot(mesh.point(t.a).normal + mesh.point(t.b).normal + mesh.point(t.c).normal);
+  }
+  return sum < 0 ? -1 : 1;
+}
+
+// the second step, on the copy of the mesh; `diagonal` in the unit of the caller, `unit` that of the copy
+template <typename ConcurrencyTag, typename Function, typename Visitor, typename NamedParameters>
+void remesh(Working_mesh& mesh, const Function& function, const Input_surface& input, const double diagonal,
+            const double unit, Visitor& visitor, Interruption& interruption, const NamedParameters& np, Remeshing_result& result)
+{
+  typedef Surface_projection<Function> Projection;
+  typedef Remesher<ConcurrencyTag, Normal_embedding, Projection, Visitor> Remesher;
+  static constexpr double exact_distance = 1e-9; // of the diagonal; one more step of Newton squares it
+
+  Real_timer timer;
+  timer.start();
+  visitor.stage_started(Stage::PROJECTION);
+  result.sigma = sigma_parameter(np, diagonal);
+  const Normal_embedding embedding(result.sigma / unit);
+  const Remeshing_parameters parameters = remeshing_parameters(np);
+  if (parameters.number_of_iterations > 0)
+    reorder_in_space(mesh, interruption);
+  const Curve_network curves(mesh);
+  Projection projection(function, input, exact_distance * diagonal / unit, unit);
+  Remesher remesher(mesh, embedding, projection, curves, parameters, visitor, interruption, result);
+  remesher.project_exactly();
+  if (orientation(mesh) < 0)
+  {
+    projection.set_orientation(-1);
+    for (const Vertex_index v : mesh.vertices())
+      mesh.point(v).normal *= -1;
+  }
+  result.projection_seconds = timer.time();
+  if (interruption.is_requested())
+    return;
+
+  timer.reset();
+  visitor.stage_started(Stage::REMESHING);
+  Target_length target = target_length(np, diagonal, unit, mesh.number_of_faces());
+  target.update(mesh, embedding);
+  check_number_of_faces(target, unit);
+  remesher.run(target);
+  result.target_edge_length *= unit;
+  result.projections = projection.counters();
+  result.remeshing_seconds = timer.time();
+}
+
+// by the vertices of the working mesh; all on the first facet if none of them has a closest point
+template <typename ConcurrencyTag, typename TriangleMesh>
+std::vector<Input_location> locations_on_input(const Working_mesh& mesh, const Input_surface& input,
+                                               const Mesh_origin<TriangleMesh>& origin)
+{
+  std::vector<Input_location> result(vertex_capacity(mesh));
+  if (input.empty())
+    return result;
+  parallel_for<ConcurrencyTag>(
+      result.size(),
+      [&](const std::size_t i)
+      {
+        const Vertex_index v(static_cast<Vertex_index::size_type>(i));
+        if (mesh.is_removed(v))
+          return;
+        const Closest_facet::Answer closest = input.closest(mesh.point(v).point);
+        result[i].face = origin.face_positions[closest.facet];
+        for (int k = 0; k < 3; ++k)
+          result[i].barycentric_coordinates[std::size_t(k)] = closest.barycentric[k];
+      },
+      64);
+  return result;
+}
+
+// loads the faces, remeshes them and stores them
+template <typename ConcurrencyTag, typename FaceRange, typename TriangleMesh, typename Function, typename NamedParameters>
+Remeshing_result remesh_faces(const FaceRange& faces, TriangleMesh& tmesh, const Function& function,
+                              const bool is_whole_mesh, const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  check_parameters(np);
+  auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_property_map(vertex_point, tmesh));
+  auto visitor = choose_parameter(get_parameter(np, internal_np::visitor), Remeshing_visitor());
+  Interruption interruption([&visitor] { return visitor.go_further(); });
+  const auto constraints = mesh_constraints<TriangleMesh>(np);
+
+  Remeshing_result result;
+  Working_mesh mesh;
+  Mesh_origin<TriangleMesh> origin;
+  try
+  {
+    origin = load_mesh(tmesh, faces, vpm, constraints, interruption, mesh);
+  }
+  catch (const Interrupted&)
+  {
+    result.was_stopped = true;
+    return result;
+  }
+  std::vector<Vector> points;
+  points.reserve(mesh.number_of_vertices());
+  for (const Vertex_index v : mesh.vertices())
+    points.push_back(mesh.point(v).point);
+  const Input_surface input(std::move(points), origin.facets);
+  remesh<ConcurrencyTag>(mesh, function, input, origin.diagonal, origin.unit, visitor, interruption, np, result);
+  result.was_stopped = interruption.is_requested();
+  if (result.was_stopped && result.number_of_iterations == 0)
+    return result; // not all vertices may be on the surface yet
+
+  Real_timer timer;
+  timer.start();
+  visitor.stage_started(Stage::OUTPUT);
+  std::vector<Input_location> locations;
+  if constexpr (is_given<NamedParameters, internal_np::vertex_location_map_t>)
+    locations = locations_on_input<ConcurrencyTag>(mesh, input, origin);
+  const bool is_all_replaced = is_whole_mesh && !is_constrained<NamedParameters>;
+  if (is_all_replaced)
+    result.number_of_isolated_vertices = origin.number_of_isolated_vertices;
+  Mesh_storer store(mesh, origin, tmesh, vpm, constraints);
+  store(is_all_replaced);
+  if constexpr (is_given<NamedParameters, internal_np::vertex_location_map_t>)
+    for (const Vertex_index v : mesh.vertices())
+      put(get_parameter(np, internal_np::vertex_location_map), store.vertex(v), locations[v]);
+  result.output_seconds = timer.time();
+  return result;
+}
+
+} // namespace internal
+} // namespace Anisotropic_hde_remeshing
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_REMESH_FACES_H

@@ -1,0 +1,183 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+#ifndef CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_REMESHING_PARAMETERS_H
+#define CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_REMESHING_PARAMETERS_H
+
+#include <CGAL/license/Anisotropic_hde_remeshing.h>
+
+#include <CGAL/Anisotropic_hde_remeshing/Remeshing_scheme.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/check_parameters.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/named_parameters.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Target_length.h>
+
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/number_utils.h>
+#include <CGAL/property_map.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
+#include <string>
+#include <type_traits>
+
+namespace CGAL {
+namespace Anisotropic_hde_remeshing {
+namespace internal {
+
+// the parameters of the iterations, checked
+struct Remeshing_parameters
+{
+  Remeshing_scheme scheme = Remeshing_scheme::DEFAULT;
+  unsigned int number_of_iterations = 10;
+  unsigned int number_of_relaxation_steps = 3;
+  double smoothing_ratio = 1;
+  double collapse_ratio = 0.8;
+  double split_ratio = 4. / 3;
+};
+
+template <typename NamedParameters, typename Name>
+constexpr bool is_given = !parameters::is_default_parameter<NamedParameters, Name>::value;
+
+// what the indices of the mesh that is modified have room for
+constexpr std::size_t largest_number_of_faces = 500000000;
+
+// a number of iterations or steps
+template <typename Number>
+unsigned int checked_repetitions(const char* name, const Number n)
+{
+  if (n < Number(0) || double(n) > 1e6)
+    throw_invalid_argument(name, n, "from 0 to 1000000");
+  return static_cast<unsigned int>(n);
+}
+
+template <typename NamedParameters>
+Remeshing_parameters remeshing_parameters(const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  Remeshing_parameters result;
+  result.scheme = choose_parameter(get_parameter(np, internal_np::remeshing_scheme), Remeshing_scheme::DEFAULT);
+  if (result.scheme == Remeshing_scheme::PAPER)
+  {
+    result.collapse_ratio = 0.5;
+    result.split_ratio = 1.5;
+    result.smoothing_ratio = 0.3;
+  }
+  if constexpr (is_given<NamedParameters, internal_np::number_of_iterations_t>)
+    result.number_of_iterations =
+        checked_repetitions("number_of_iterations", get_parameter(np, internal_np::number_of_iterations));
+  if constexpr (is_given<NamedParameters, internal_np::number_of_relaxation_steps_t>)
+    result.number_of_relaxation_steps =
+        checked_repetitions("number_of_relaxation_steps", get_parameter(np, internal_np::number_of_relaxation_steps));
+  result.smoothing_ratio = checked_between(
+      "smoothing_ratio", choose_parameter(get_parameter(np, internal_np::smoothing_ratio), result.smoothing_ratio), 0, 1);
+  result.collapse_ratio = checked_between(
+      "collapse_ratio", choose_parameter(get_parameter(np, internal_np::collapse_ratio), result.collapse_ratio), 0, 1);
+  result.split_ratio = checked_between(
+      "split_ratio", choose_parameter(get_parameter(np, internal_np::split_ratio), result.split_ratio), 1, 100);
+  return result;
+}
+
+// The lengths that the caller may give in the unit of the mesh or as a share of the diagonal of its bounding box
+template <typename NamedParameters>
+double sigma_parameter(const NamedParameters& np, const double diagonal)
+{
+  static_assert(!is_given<NamedParameters, internal_np::sigma_t> || !is_given<NamedParameters, internal_np::relative_sigma_t>,
+                "sigma and relative_sigma exclude each other");
+  using parameters::get_parameter;
+  if constexpr (is_given<NamedParameters, internal_np::sigma_t>)
+    return checked_not_negative("sigma", CGAL::to_double(get_parameter(np, internal_np::sigma)));
+  else if constexpr (is_given<NamedParameters, internal_np::relative_sigma_t>)
+    return diagonal *
+           checked_not_negative("relative_sigma", CGAL::to_double(get_parameter(np, internal_np::relative_sigma)));
+  else
+    return 0.01 * diagonal;
+}
+
+// in `unit`
+template <typename NamedParameters>
+Target_length target_length(const NamedParameters& np, const double diagonal, const double unit,
+                            const std::size_t number_of_faces)
+{
+  constexpr bool has_length = is_given<NamedParameters, internal_np::target_edge_length_t>,
+                 has_relative_length = is_given<NamedParameters, internal_np::relative_target_edge_length_t>,
+                 has_count = is_given<NamedParameters, internal_np::number_of_target_faces_t>;
+  static_assert(int(has_length) + int(has_relative_length) + int(has_count) <= 1,
+                "target_edge_length, relative_target_edge_length and number_of_target_faces exclude each other");
+  using parameters::get_parameter;
+  if constexpr (has_length)
+    return Target_length::of_length(
+        checked_positive("target_edge_length", CGAL::to_double(get_parameter(np, internal_np::target_edge_length))) / unit);
+  else if constexpr (has_relative_length)
+    return Target_length::of_length(
+        diagonal / unit * checked_positive("relative_target_edge_length",
+                                    CGAL::to_double(get_parameter(np, internal_np::relative_target_edge_length))));
+  else if constexpr (has_count)
+    return Target_length::of_number_of_faces(checked_count(
+        "number_of_target_faces", get_parameter(np, internal_np::number_of_target_faces), largest_number_of_faces));
+  else
+    return Target_length::of_number_of_faces(number_of_faces);
+}
+
+// a length may ask for too many faces, which only the mesh tells
+inline void check_number_of_faces(const Target_length& target, const double unit)
+{
+  if (target.number_of_faces() > double(largest_number_of_faces))
+    throw_invalid_argument("the target edge length", target.length() * unit,
+                           "so large that the mesh has at most " + std::to_string(largest_number_of_faces) +
+                               " faces, not about " + std::to_string(target.number_of_faces()));
+}
+
+// all that can be wrong with the parameters, before anything is computed
+template <typename NamedParameters>
+void check_parameters(const NamedParameters& np)
+{
+  remeshing_parameters(np);
+  sigma_parameter(np, 1);
+  target_length(np, 1, 1, 1);
+}
+
+// The maps of constraints; without them nothing is constrained, and all faces are in one patch.
+template <typename EdgeIsConstrainedMap, typename VertexIsConstrainedMap, typename FacePatchMap>
+struct Mesh_constraints
+{
+  EdgeIsConstrainedMap edge_is_constrained;
+  VertexIsConstrainedMap vertex_is_constrained;
+  FacePatchMap face_patch;
+  bool protect_constraints;
+};
+
+template <typename TriangleMesh, typename NamedParameters>
+auto mesh_constraints(const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  typedef boost::graph_traits<TriangleMesh> Graph_traits;
+  const auto edges = choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
+                                      Static_boolean_property_map<typename Graph_traits::edge_descriptor, false>());
+  const auto vertices = choose_parameter(get_parameter(np, internal_np::vertex_is_constrained),
+                                         Static_boolean_property_map<typename Graph_traits::vertex_descriptor, false>());
+  const auto patches = choose_parameter(get_parameter(np, internal_np::face_patch),
+                                        Static_boolean_property_map<typename Graph_traits::face_descriptor, false>());
+  return Mesh_constraints<std::decay_t<decltype(edges)>, std::decay_t<decltype(vertices)>, std::decay_t<decltype(patches)>>{
+      edges, vertices, patches, choose_parameter(get_parameter(np, internal_np::protect_constraints), false)};
+}
+
+// whether elements of the caller's mesh keep their descriptors
+template <typename NamedParameters>
+constexpr bool is_constrained = is_given<NamedParameters, internal_np::edge_is_constrained_t> ||
+                                is_given<NamedParameters, internal_np::vertex_is_constrained_t> ||
+                                is_given<NamedParameters, internal_np::face_patch_t> ||
+                                is_given<NamedParameters, internal_np::protect_constraints_t>;
+
+} // namespace internal
+} // namespace Anisotropic_hde_remeshing
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_REMESHING_PARAMETERS_H

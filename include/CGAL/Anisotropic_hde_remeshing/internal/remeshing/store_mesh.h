@@ -1,0 +1,314 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+#ifndef CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_STORE_MESH_H
+#define CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_STORE_MESH_H
+
+#include <CGAL/license/Anisotropic_hde_remeshing.h>
+
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Working_mesh.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/load_mesh.h>
+
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/properties.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Anisotropic_hde_remeshing {
+namespace internal {
+
+template <typename TriangleMesh>
+void remove_all_elements_of(TriangleMesh& tmesh)
+{
+  CGAL::clear(tmesh);
+}
+
+// keeps the property maps of the caller, among them perhaps the one of the points
+template <typename Point>
+void remove_all_elements_of(Surface_mesh<Point>& tmesh)
+{
+  tmesh.clear_without_removing_property_maps();
+}
+
+// elements without connectivity
+template <typename TriangleMesh>
+struct New_elements
+{
+  std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertices;
+  std::vector<typename boost::graph_traits<TriangleMesh>::edge_descriptor> edges;
+  std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor> faces;
+};
+
+template <typename TriangleMesh>
+New_elements<TriangleMesh> add_one_by_one(const std::size_t number_of_vertices, const std::size_t number_of_edges,
+                                          const std::size_t number_of_faces, TriangleMesh& tmesh)
+{
+  New_elements<TriangleMesh> result;
+  result.vertices.resize(number_of_vertices);
+  for (auto& v : result.vertices)
+    v = add_vertex(tmesh);
+  result.edges.resize(number_of_edges);
+  for (auto& e : result.edges)
+    e = add_edge(tmesh);
+  result.faces.resize(number_of_faces);
+  for (auto& f : result.faces)
+    f = add_face(tmesh);
+  return result;
+}
+
+template <typename TriangleMesh>
+New_elements<TriangleMesh> add_elements(const std::size_t number_of_vertices, const std::size_t number_of_edges,
+                                        const std::size_t number_of_faces, TriangleMesh& tmesh)
+{
+  return add_one_by_one(number_of_vertices, number_of_edges, number_of_faces, tmesh);
+}
+
+// at once where the mesh is empty, in a fraction of the time
+template <typename Point>
+New_elements<Surface_mesh<Point>> add_elements(const std::size_t number_of_vertices, const std::size_t number_of_edges,
+                                               const std::size_t number_of_faces, Surface_mesh<Point>& tmesh)
+{
+  typedef Surface_mesh<Point> Mesh;
+  typedef typename Mesh::size_type size_type;
+  if (tmesh.num_vertices() + tmesh.num_edges() + tmesh.num_faces() > 0)
+    return add_one_by_one(number_of_vertices, number_of_edges, number_of_faces, tmesh);
+  tmesh.resize(size_type(number_of_vertices), size_type(number_of_edges), size_type(number_of_faces));
+  New_elements<Mesh> result;
+  result.vertices.assign(tmesh.vertices().begin(), tmesh.vertices().end());
+  result.edges.assign(tmesh.edges().begin(), tmesh.edges().end());
+  result.faces.assign(tmesh.faces().begin(), tmesh.faces().end());
+  return result;
+}
+
+// Replaces the remeshed faces of the caller's mesh. What it does not replace keeps its descriptors: all outside of these faces,
+// the fixed vertices, and the edges that must not be touched.
+template <typename TriangleMesh, typename VertexPointMap, typename Constraints>
+class Mesh_storer
+{
+  typedef boost::graph_traits<TriangleMesh> Graph_traits;
+  typedef typename Graph_traits::vertex_descriptor Vertex;
+  typedef typename Graph_traits::halfedge_descriptor Halfedge;
+  typedef typename Graph_traits::edge_descriptor Edge;
+  typedef typename Graph_traits::face_descriptor Face;
+
+public:
+  Mesh_storer(const Working_mesh& mesh, const Mesh_origin<TriangleMesh>& origin, TriangleMesh& tmesh,
+              const VertexPointMap vpm, const Constraints& constraints)
+    : m_mesh(mesh), m_origin(origin), m_tmesh(tmesh), m_vpm(vpm), m_constraints(constraints),
+      m_vertices(vertex_capacity(mesh)), m_halfedges(mesh.num_halfedges(), Graph_traits::null_halfedge())
+  {
+  }
+
+  // `is_all_replaced`: nothing needs to keep its descriptors
+  void operator()(const bool is_all_replaced)
+  {
+    const auto patches = patches_of_input();
+    std::vector<Halfedge> border; // whose next halfedge may be another one in the end
+    if (is_all_replaced)
+      remove_all_elements_of(m_tmesh);
+    else
+    {
+      keep_elements();
+      remove_elements(border);
+    }
+    const New_elements<TriangleMesh> added = add_new_elements(is_all_replaced);
+    place_vertices(added.vertices, is_all_replaced);
+    connect_edges(added.edges, border);
+    connect_faces(added.faces, patches);
+    close_border(border);
+  }
+
+  // the vertex of the caller's mesh that stands for one of the working mesh
+  Vertex vertex(const Vertex_index v) const { return m_vertices[v]; }
+
+private:
+  bool is_untouchable(const Edge_index e) const
+  {
+    return m_mesh.arc(m_mesh.halfedge(e)).curve == Curve_arc::untouchable;
+  }
+
+  static std::size_t index(const Halfedge_index h) { return std::size_t(h); }
+
+  // by the number of the face among those that are remeshed: their descriptors will be gone
+  auto patches_of_input() const
+  {
+    typedef std::decay_t<decltype(get(m_constraints.face_patch, *faces(m_tmesh).begin()))> Patch;
+    std::vector<Patch> result;
+    for (const Face f : m_origin.faces)
+      result.push_back(get(m_constraints.face_patch, f));
+    return result;
+  }
+
+  void keep_elements()
+  {
+    for (const Vertex_index v : m_mesh.vertices())
+      if (m_mesh.point(v).is_fixed)
+        m_vertices[v] = m_origin.vertices[m_mesh.point(v).input_vertex];
+    for (const Edge_index e : m_mesh.edges())
+      if (is_untouchable(e))
+      {
+        const Halfedge_index h = m_mesh.halfedge(e);
+        const Halfedge kept = halfedge(m_vertices[m_mesh.source(h)], m_vertices[m_mesh.target(h)], m_tmesh).first;
+        m_halfedges[index(h)] = kept;
+        m_halfedges[index(m_mesh.opposite(h))] = opposite(kept, m_tmesh);
+      }
+  }
+
+  // the faces that are replaced, with their edges and vertices but those that are kept
+  void remove_elements(std::vector<Halfedge>& border)
+  {
+    enum : char { STAYS, GOES };
+    const auto edge_state = get(dynamic_edge_property_t<char>(), m_tmesh);
+    const auto vertex_state = get(dynamic_vertex_property_t<char>(), m_tmesh);
+    for (const Edge e : edges(m_tmesh))
+      put(edge_state, e, char(STAYS));
+    for (const Vertex v : vertices(m_tmesh))
+      put(vertex_state, v, char(STAYS));
+    for (const Face f : m_origin.faces)
+      for (const Halfedge h : halfedges_around_face(halfedge(f, m_tmesh), m_tmesh))
+      {
+        put(edge_state, edge(h, m_tmesh), char(GOES));
+        put(vertex_state, target(h, m_tmesh), char(GOES));
+      }
+    for (const Edge_index e : m_mesh.edges())
+      if (is_untouchable(e))
+        put(edge_state, edge(m_halfedges[index(m_mesh.halfedge(e))], m_tmesh), char(STAYS));
+    for (const Vertex_index v : m_mesh.vertices())
+      if (m_mesh.point(v).is_fixed)
+        put(vertex_state, m_vertices[v], char(STAYS));
+
+    for (const Halfedge h : halfedges(m_tmesh))
+      if (is_border(h, m_tmesh) && get(edge_state, edge(h, m_tmesh)) == STAYS)
+        border.push_back(h);
+    std::vector<Edge> gone_edges;
+    for (const Edge e : edges(m_tmesh))
+      if (get(edge_state, e) == GOES)
+        gone_edges.push_back(e);
+    std::vector<Vertex> gone_vertices;
+    for (const Vertex v : vertices(m_tmesh))
+      if (get(vertex_state, v) == GOES)
+        gone_vertices.push_back(v);
+    for (const Face f : m_origin.faces)
+      remove_face(f, m_tmesh);
+    for (const Edge e : gone_edges)
+      remove_edge(e, m_tmesh);
+    for (const Vertex v : gone_vertices)
+      remove_vertex(v, m_tmesh);
+  }
+
+  bool is_kept(const Vertex_index v, const bool is_all_replaced) const
+  {
+    return !is_all_replaced && m_mesh.point(v).is_fixed;
+  }
+
+  bool is_kept(const Edge_index e) const
+  {
+    return m_halfedges[index(m_mesh.halfedge(e))] != Graph_traits::null_halfedge();
+  }
+
+  New_elements<TriangleMesh> add_new_elements(const bool is_all_replaced)
+  {
+    std::size_t number_of_vertices = 0, number_of_edges = 0;
+    for (const Vertex_index v : m_mesh.vertices())
+      number_of_vertices += is_kept(v, is_all_replaced) ? 0 : 1;
+    for (const Edge_index e : m_mesh.edges())
+      number_of_edges += is_kept(e) ? 0 : 1;
+    return add_elements(number_of_vertices, number_of_edges, m_mesh.number_of_faces(), m_tmesh);
+  }
+
+  void place_vertices(const std::vector<Vertex>& added, const bool is_all_replaced)
+  {
+    typedef typename boost::property_traits<VertexPointMap>::value_type Point;
+    auto next_added = added.begin();
+    for (const Vertex_index v : m_mesh.vertices())
+    {
+      if (is_kept(v, is_all_replaced))
+        continue;
+      const Vector p = m_origin.unit * m_mesh.point(v).point;
+      m_vertices[v] = *next_added++;
+      put(m_vpm, m_vertices[v], Point(p[0], p[1], p[2]));
+    }
+  }
+
+  void connect_edges(const std::vector<Edge>& added, std::vector<Halfedge>& border)
+  {
+    auto next_added = added.begin();
+    for (const Edge_index e : m_mesh.edges())
+    {
+      if (is_kept(e))
+        continue;
+      const Halfedge_index h = m_mesh.halfedge(e), g = m_mesh.opposite(h);
+      const Edge edge = *next_added++;
+      m_halfedges[index(h)] = halfedge(edge, m_tmesh);
+      m_halfedges[index(g)] = opposite(m_halfedges[index(h)], m_tmesh);
+      for (const Halfedge_index side : {h, g})
+      {
+        set_target(m_halfedges[index(side)], m_vertices[m_mesh.target(side)], m_tmesh);
+        if (!m_mesh.is_border(side))
+          continue;
+        set_face(m_halfedges[index(side)], Graph_traits::null_face(), m_tmesh);
+        border.push_back(m_halfedges[index(side)]);
+      }
+      put(m_constraints.edge_is_constrained, edge, m_mesh.is_on_curve(e) && !m_mesh.is_border(e));
+    }
+  }
+
+  template <typename Patches>
+  void connect_faces(const std::vector<Face>& added, const Patches& patches)
+  {
+    auto next_added = added.begin();
+    for (const Face_index f : m_mesh.faces())
+    {
+      const Face face = *next_added++;
+      Halfedge_index h = m_mesh.halfedge(f);
+      set_halfedge(face, m_halfedges[index(h)], m_tmesh);
+      for (int k = 0; k < 3; ++k, h = m_mesh.next(h))
+      {
+        const Halfedge in_face = m_halfedges[index(h)];
+        set_face(in_face, face, m_tmesh);
+        set_next(in_face, m_halfedges[index(m_mesh.next(h))], m_tmesh);
+        set_halfedge(m_vertices[m_mesh.target(h)], in_face, m_tmesh);
+      }
+      put(m_constraints.face_patch, face, patches[m_mesh.input_face(f)]);
+    }
+  }
+
+  // At a manifold vertex there is one border halfedge that leaves it, beyond the faces about it. It is the vertex's own, as
+  // in a mesh that CGAL builds.
+  void close_border(const std::vector<Halfedge>& border)
+  {
+    for (const Halfedge h : border)
+    {
+      Halfedge out = opposite(h, m_tmesh);
+      while (!is_border(out, m_tmesh))
+        out = opposite(prev(out, m_tmesh), m_tmesh);
+      set_next(h, out, m_tmesh);
+      set_halfedge(target(h, m_tmesh), h, m_tmesh);
+    }
+  }
+
+  const Working_mesh& m_mesh;
+  const Mesh_origin<TriangleMesh>& m_origin;
+  TriangleMesh& m_tmesh;
+  const VertexPointMap m_vpm;
+  const Constraints& m_constraints;
+  std::vector<Vertex> m_vertices;
+  std::vector<Halfedge> m_halfedges; // of the caller's mesh, by those of the working mesh
+};
+
+} // namespace internal
+} // namespace Anisotropic_hde_remeshing
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_STORE_MESH_H

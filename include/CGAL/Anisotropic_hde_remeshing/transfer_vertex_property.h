@@ -1,0 +1,157 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+#ifndef CGAL_ANISOTROPIC_HDE_REMESHING_TRANSFER_VERTEX_PROPERTY_H
+#define CGAL_ANISOTROPIC_HDE_REMESHING_TRANSFER_VERTEX_PROPERTY_H
+
+#include <CGAL/license/Anisotropic_hde_remeshing.h>
+
+#include <CGAL/Anisotropic_hde_remeshing/Input_location.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/check_parameters.h>
+
+#include <CGAL/IO/Color.h>
+#include <CGAL/Origin.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/properties.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Anisotropic_hde_remeshing {
+
+/*!
+\ingroup PkgAnisotropicHdeRemeshingRef
+
+The mean of three values with given weights of sum 1, not negative: of numbers, of integers rounded to the nearest one; of
+vectors and all else that can be multiplied by a `double` from the right and added; of points; of arrays, component by
+component; and of `CGAL::IO::Color`.
+*/
+struct Linear_interpolation
+{
+  /// \tparam Value one of the types above
+  template <typename Value>
+  Value operator()(const std::array<Value, 3>& values, const std::array<double, 3>& weights) const
+  {
+    if constexpr (std::is_integral<Value>::value)
+      return Value(std::llround(weights[0] * double(values[0]) + weights[1] * double(values[1]) +
+                                weights[2] * double(values[2])));
+    else if constexpr (Is_point<Value>::value)
+      return Value(values[0] + ((values[1] - values[0]) * weights[1] + (values[2] - values[0]) * weights[2]));
+    else
+      return Value(values[0] * weights[0] + values[1] * weights[1] + values[2] * weights[2]);
+  }
+
+  template <typename Component, std::size_t n>
+  std::array<Component, n> operator()(const std::array<std::array<Component, n>, 3>& values,
+                                      const std::array<double, 3>& weights) const
+  {
+    std::array<Component, n> result;
+    for (std::size_t i = 0; i < n; ++i)
+      result[i] = (*this)(std::array<Component, 3>{{values[0][i], values[1][i], values[2][i]}}, weights);
+    return result;
+  }
+
+  IO::Color operator()(const std::array<IO::Color, 3>& values, const std::array<double, 3>& weights) const
+  {
+    std::array<unsigned char, 4> channels;
+    for (std::size_t i = 0; i < channels.size(); ++i)
+      channels[i] = (*this)(std::array<unsigned char, 3>{{values[0][i], values[1][i], values[2][i]}}, weights);
+    return IO::Color(channels[0], channels[1], channels[2], channels[3]);
+  }
+
+private:
+  // what has an origin, and can only be moved
+  template <typename T, typename = void>
+  struct Is_point : std::false_type
+  {};
+  template <typename T>
+  struct Is_point<T, std::void_t<decltype(std::declval<const T&>() - ORIGIN)>> : std::true_type
+  {};
+};
+
+namespace internal {
+
+// for each face the halfedge whose source comes first in the order of the vertices of the mesh
+template <typename Mesh>
+std::vector<typename boost::graph_traits<Mesh>::halfedge_descriptor> first_halfedges(const Mesh& mesh)
+{
+  const auto position = get(dynamic_vertex_property_t<std::size_t>(), mesh);
+  std::size_t next_position = 0;
+  for (const auto v : vertices(mesh))
+    put(position, v, next_position++);
+  std::vector<typename boost::graph_traits<Mesh>::halfedge_descriptor> result;
+  for (const auto f : faces(mesh))
+  {
+    auto first = halfedge(f, mesh);
+    for (const auto h : halfedges_around_face(halfedge(f, mesh), mesh))
+      if (get(position, source(h, mesh)) < get(position, source(first, mesh)))
+        first = h;
+    result.push_back(first);
+  }
+  return result;
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgAnisotropicHdeRemeshingRef
+
+carries a property of the vertices, such as colours, texture coordinates or a solution, from the mesh that was remeshed to the
+result: every vertex gets the mean, with its barycentric coordinates, of the values at the face from which it comes.
+Discontinuities at vertices, such as the seams of a texture, are not seen.
+
+\tparam InputMesh a model of `FaceListGraph`
+\tparam InputPropertyMap a model of `ReadablePropertyMap` with the vertices of `input` as keys
+\tparam OutputMesh a model of `VertexListGraph`
+\tparam VertexLocationMap a model of `ReadablePropertyMap` with the vertices of `output` as keys and `Input_location` as values
+\tparam OutputPropertyMap a model of `WritablePropertyMap` with the vertices of `output` as keys
+\tparam Interpolation a functor like `Linear_interpolation`
+
+\param input a copy, made before the call, of the mesh that was given to `CGAL::anisotropic_hde_remeshing()`, with its
+       vertices and faces in the same order
+\param input_property the values at its vertices
+\param output the result
+\param vertex_location the map that was given by the name `vertex_location_map`
+\param output_property is told the values
+\param interpolation how three values are joined to one
+
+\throw std::invalid_argument if a location is on a face that `input` does not have
+*/
+template <typename InputMesh, typename InputPropertyMap, typename OutputMesh, typename VertexLocationMap,
+          typename OutputPropertyMap, typename Interpolation = Linear_interpolation>
+void transfer_vertex_property(const InputMesh& input, const InputPropertyMap input_property, const OutputMesh& output,
+                              const VertexLocationMap vertex_location, OutputPropertyMap output_property,
+                              const Interpolation& interpolation = Interpolation())
+{
+  typedef std::decay_t<decltype(get(input_property, *vertices(input).begin()))> Value;
+  const auto first_halfedges = internal::first_halfedges(input);
+  for (const auto v : vertices(output))
+  {
+    const Input_location location = get(vertex_location, v);
+    if (location.face >= first_halfedges.size())
+      internal::throw_invalid_argument("the face of a vertex location", location.face,
+                                       "below the number of faces of the input, " + std::to_string(first_halfedges.size()));
+    const auto h = first_halfedges[location.face];
+    const std::array<Value, 3> values{{get(input_property, source(h, input)), get(input_property, target(h, input)),
+                                       get(input_property, target(next(h, input), input))}};
+    put(output_property, v, interpolation(values, location.barycentric_coordinates));
+  }
+}
+
+} // namespace Anisotropic_hde_remeshing
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_HDE_REMESHING_TRANSFER_VERTEX_PROPERTY_H

@@ -1,0 +1,243 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+// The visitor: what it hears, that it can stop the remeshing, and how fast.
+
+#include "remeshing_checks.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+using namespace shapes;
+using namespace remeshing_checks;
+
+typedef CGAL::Parallel_if_available_tag Tag;
+
+// what the visitor has heard, shared by its copies
+struct Record
+{
+  std::vector<Hde::Stage> stages;
+  std::vector<double> shares;
+  std::size_t questions = 0;
+};
+
+struct Recording_visitor : Hde::Remeshing_visitor
+{
+  Record* record;
+  std::size_t largest_number_of_questions = std::numeric_limits<std::size_t>::max(); // then it stops
+
+  explicit Recording_visitor(Record& r) : record(&r) {}
+  void stage_started(const Hde::Stage stage) { record->stages.push_back(stage); }
+  void progress(const double share) { record->shares.push_back(share); }
+  bool go_further() { return record->questions++ < largest_number_of_questions; }
+};
+
+void check_record(const Record& record, const bool is_complete)
+{
+  double last = 0;
+  for (const double share : record.shares)
+  {
+    CHECK(share >= last && share <= 1);
+    last = share;
+  }
+  if (is_complete)
+    CHECK_CLOSE(last, 1, 1e-12);
+}
+
+void test_visitor()
+{
+  const Mesh input = ellipsoid(3);
+  Record record;
+  Mesh mesh = input;
+  CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(),
+                                       CGAL::parameters::visitor(Recording_visitor(record)));
+  check_record(record, true);
+  CHECK(record.stages == std::vector<Hde::Stage>({Hde::Stage::PROJECTION, Hde::Stage::REMESHING, Hde::Stage::OUTPUT}));
+  CHECK(record.shares.size() >= 10);
+  CHECK(record.questions >= 10);
+
+  Record of_one_call;
+  mesh = input;
+  CGAL::anisotropic_hde_remeshing<Tag>(mesh, CGAL::parameters::visitor(Recording_visitor(of_one_call)));
+  check_record(of_one_call, true);
+  CHECK(of_one_call.stages == std::vector<Hde::Stage>({Hde::Stage::IMPLICIT_FUNCTION, Hde::Stage::PROJECTION,
+                                                       Hde::Stage::REMESHING, Hde::Stage::OUTPUT}));
+
+  // a visitor that only listens changes nothing
+  Mesh without = input;
+  CGAL::anisotropic_hde_remeshing<Tag>(without, CGAL::parameters::default_values());
+  CHECK(digest(mesh) == digest(without));
+}
+
+void test_stopping()
+{
+  const Mesh input = ellipsoid(3);
+  for (const std::size_t questions : {0, 1, 2, 3, 5, 8, 13, 21, 34})
+  {
+    Record record;
+    Recording_visitor visitor(record);
+    visitor.largest_number_of_questions = questions;
+    Mesh mesh = input;
+    const Hde::Remeshing_result result = CGAL::anisotropic_hde_remeshing<Tag>(
+        mesh, Ellipsoid_function(), CGAL::parameters::visitor(visitor).sigma(1).number_of_target_faces(4000));
+    CHECK(result.was_stopped);
+    CHECK(record.questions <= questions + 1); // asked no more after the answer
+    check_record(record, false);
+    check_validity("stopped after " + std::to_string(questions), input, mesh, Ellipsoid_function());
+  }
+}
+
+struct Stop : std::runtime_error
+{
+  Stop() : std::runtime_error("stop") {}
+};
+
+// throws at the n-th call of any kind
+struct Throwing_visitor : Hde::Remeshing_visitor
+{
+  std::size_t* calls;
+  std::size_t n;
+
+  Throwing_visitor(std::size_t& calls, const std::size_t n) : calls(&calls), n(n) {}
+  void count() const
+  {
+    if (++*calls == n)
+      throw Stop();
+  }
+  void stage_started(Hde::Stage) { count(); }
+  void progress(double) { count(); }
+  bool go_further()
+  {
+    count();
+    return true;
+  }
+};
+
+void test_throwing_visitor()
+{
+  const Mesh input = ellipsoid(3);
+  std::size_t all = 0;
+  {
+    Mesh mesh = input;
+    CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(),
+                                         CGAL::parameters::visitor(Throwing_visitor(all, 0)));
+  }
+  CHECK(all > 20);
+  // at the first calls, some in the middle, the last ones
+  for (const std::size_t n : {std::size_t(1), std::size_t(2), std::size_t(3), std::size_t(10), all / 2, all - 1, all})
+  {
+    Mesh mesh = input;
+    std::size_t calls = 0;
+    CHECK_THROWS(CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(),
+                                                      CGAL::parameters::visitor(Throwing_visitor(calls, n))),
+                 Stop);
+    CHECK(digest(mesh) == digest(input));
+  }
+}
+
+// --- Functions that fail ---
+
+// --- stopping by the clock ---
+
+typedef std::chrono::steady_clock Clock;
+
+double seconds_since(const Clock::time_point begin)
+{
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+// says no after some seconds, and remembers when
+struct Late_visitor : Hde::Remeshing_visitor
+{
+  Clock::time_point begin = Clock::now();
+  double seconds;
+  Clock::time_point* answer;
+
+  Late_visitor(const double seconds, Clock::time_point& answer) : seconds(seconds), answer(&answer) {}
+  bool go_further()
+  {
+    if (seconds_since(begin) < seconds)
+      return true;
+    *answer = Clock::now();
+    return false;
+  }
+};
+
+// whichever stage it is in, the call returns soon, with a valid mesh on the surface
+template <typename Remesh>
+void test_latency(const std::string& name, const Mesh& input, const Remesh& remesh)
+{
+  Clock::time_point answer = Clock::now();
+  double whole;
+  {
+    Mesh mesh = input;
+    const Clock::time_point begin = Clock::now();
+    remesh(mesh, Late_visitor(1e9, answer));
+    whole = seconds_since(begin);
+  }
+  double worst = 0;
+  for (const double share : {0.02, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 0.95})
+  {
+    Mesh mesh = input;
+    const Hde::Remeshing_result result = remesh(mesh, Late_visitor(share * whole, answer));
+    if (!result.was_stopped)
+      continue; // it was faster this time
+    worst = (std::max)(worst, seconds_since(answer));
+    CHECK(CGAL::is_valid_polygon_mesh(mesh));
+    CHECK(CGAL::is_closed(mesh));
+    const Hde::Zero_set_measures distance = Hde::measure_distance_to_zero_set(
+        mesh, Ellipsoid_function(), CGAL::parameters::number_of_points_on_faces(1000));
+    CHECK(distance.interior_vertex_max <= 1e-6 * bounding_box_diagonal(input)); // of the radial basis functions
+    CHECK(Hde::measure_embedding(mesh, Ellipsoid_function()).number_of_folded_faces == 0);
+  }
+  std::cout << name << ": " << whole << " s; stopped, it returns within " << worst << " s" << std::endl;
+  CHECK(worst < 0.2);
+}
+
+void test_latencies()
+{
+  test_latency("own function", ellipsoid(7), // 327,680 faces
+               [](Mesh& mesh, const Late_visitor& visitor)
+               {
+                 return CGAL::anisotropic_hde_remeshing<Tag>(
+                     mesh, Ellipsoid_function(),
+                     CGAL::parameters::relative_sigma(0.05).number_of_target_faces(300000).visitor(visitor));
+               });
+  test_latency("radial basis functions", ellipsoid(6),
+               [](Mesh& mesh, const Late_visitor& visitor)
+               {
+                 return CGAL::anisotropic_hde_remeshing<Tag>(
+                     mesh, CGAL::parameters::relative_sigma(0.05).number_of_target_faces(80000).visitor(visitor));
+               });
+}
+
+// the function alone
+void test_interrupted_function()
+{
+  struct Stopping_visitor : Hde::Remeshing_visitor
+  {
+    bool go_further() { return false; }
+  };
+  CHECK_THROWS(CGAL::Rbf_implicit_function<Kernel>(ellipsoid(5), CGAL::parameters::visitor(Stopping_visitor())),
+               Hde::Interrupted);
+}
+
+int main()
+{
+  test_visitor();
+  test_stopping();
+  test_throwing_visitor();
+  test_interrupted_function();
+  test_latencies();
+  return check_summary();
+}
