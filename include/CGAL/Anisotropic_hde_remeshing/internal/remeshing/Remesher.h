@@ -83,7 +83,7 @@ public:
       if (!go_further())
         break;
       if (m_iteration == 0)
-        reorder_in_space(m_mesh, m_interruption); // most of the vertices that there will be are there
+        reorder_in_space<ConcurrencyTag>(m_mesh, m_interruption); // most of the vertices that there will be are there
       target.update(m_mesh, m_embedding);
       report(1);
     }

@@ -66,9 +66,9 @@ public:
 
   Working_mesh() { find_properties(); }
   Working_mesh(const Working_mesh&) = delete;
-  Working_mesh& operator=(const Working_mesh& other)
+  Working_mesh& operator=(Working_mesh&& other)
   {
-    Graph::operator=(other);
+    Graph::operator=(std::move(other));
     find_properties();
     return *this;
   }

@@ -63,7 +63,7 @@ void remesh(Working_mesh& mesh, const Function& function, const Input_surface& i
   const Normal_embedding embedding(result.sigma / unit);
   const Remeshing_parameters parameters = remeshing_parameters(np);
   if (parameters.number_of_iterations > 0)
-    reorder_in_space(mesh, interruption);
+    reorder_in_space<ConcurrencyTag>(mesh, interruption);
   const Curve_network curves(mesh);
   Projection projection(function, input, exact_distance * diagonal / unit, unit);
   Remesher remesher(mesh, embedding, projection, curves, parameters, visitor, interruption, result);
@@ -157,7 +157,8 @@ Remeshing_result remesh_faces(const FaceRange& faces, TriangleMesh& tmesh, const
   const bool is_all_replaced = is_whole_mesh && !is_constrained<NamedParameters>;
   if (is_all_replaced)
     result.number_of_isolated_vertices = origin.number_of_isolated_vertices;
-  Mesh_storer store(mesh, origin, tmesh, vpm, constraints);
+  Mesh_storer<ConcurrencyTag, TriangleMesh, decltype(vpm), std::decay_t<decltype(constraints)>> store(
+      mesh, origin, tmesh, vpm, constraints);
   store(is_all_replaced);
   if constexpr (is_given<NamedParameters, internal_np::vertex_location_map_t>)
     for (const Vertex_index v : mesh.vertices())

@@ -31,6 +31,7 @@ namespace internal {
 
 // Numbers the elements along a curve of Hilbert, so that neighbours in space are neighbours in memory: the operations on a mesh
 // in a random order wait for memory most of the time. Removed elements are dropped.
+template <typename ConcurrencyTag>
 class Mesh_reorderer
 {
 public:
@@ -39,18 +40,15 @@ public:
   // leaves the mesh as it is if it is interrupted
   void operator()(Interruption& interruption)
   {
-    place_vertices();
-    if (interruption.ask())
-      return;
-    connect_edges();
-    if (interruption.ask())
-      return;
-    connect_faces();
-    if (interruption.ask())
-      return;
-    for (const Halfedge_index h : m_mesh.halfedges())
-      m_ordered.set_next(m_halfedges[h], m_halfedges[m_mesh.next(h)]);
-    m_mesh = m_ordered;
+    const auto steps = {&Mesh_reorderer::place_vertices, &Mesh_reorderer::connect_edges, &Mesh_reorderer::connect_faces,
+                        &Mesh_reorderer::connect_halfedges};
+    for (const auto step : steps)
+    {
+      (this->*step)();
+      if (interruption.ask())
+        return;
+    }
+    m_mesh = std::move(m_ordered);
   }
 
 private:
@@ -64,7 +62,7 @@ private:
       points.emplace_back(Point_3(p[0], p[1], p[2]), v);
     }
     typedef First_of_pair_property_map<std::pair<Point_3, Vertex_index>> Point_map;
-    hilbert_sort(points.begin(), points.end(), Spatial_sort_traits_adapter_3<Simple_cartesian<double>, Point_map>());
+    hilbert_sort<ConcurrencyTag>(points.begin(), points.end(), Spatial_sort_traits_adapter_3<Simple_cartesian<double>, Point_map>());
     m_ordered.resize(m_mesh.number_of_vertices(), m_mesh.number_of_edges(), m_mesh.number_of_faces());
     m_vertices.resize(vertex_capacity(m_mesh));
     auto next = m_ordered.vertices().begin();
@@ -127,13 +125,23 @@ private:
     }
   }
 
+  void connect_halfedges()
+  {
+    for (const Halfedge_index h : m_mesh.halfedges())
+      m_ordered.set_next(m_halfedges[h], m_halfedges[m_mesh.next(h)]);
+  }
+
   Working_mesh& m_mesh;
   Working_mesh m_ordered;
   std::vector<Vertex_index> m_vertices;     // of the ordered mesh, by those of the mesh
   std::vector<Halfedge_index> m_halfedges; // likewise
 };
 
-inline void reorder_in_space(Working_mesh& mesh, Interruption& interruption) { Mesh_reorderer{mesh}(interruption); }
+template <typename ConcurrencyTag>
+void reorder_in_space(Working_mesh& mesh, Interruption& interruption)
+{
+  Mesh_reorderer<ConcurrencyTag>{mesh}(interruption);
+}
 
 } // namespace internal
 } // namespace Anisotropic_hde_remeshing

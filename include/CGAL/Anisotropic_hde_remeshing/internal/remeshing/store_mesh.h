@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
+#include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Working_mesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/load_mesh.h>
 
@@ -22,6 +23,7 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -93,7 +95,7 @@ New_elements<Surface_mesh<Point>> add_elements(const std::size_t number_of_verti
 
 // Replaces the remeshed faces of the caller's mesh. What it does not replace keeps its descriptors: all outside of these faces,
 // the fixed vertices, and the edges that must not be touched.
-template <typename TriangleMesh, typename VertexPointMap, typename Constraints>
+template <typename ConcurrencyTag, typename TriangleMesh, typename VertexPointMap, typename Constraints>
 class Mesh_storer
 {
   typedef boost::graph_traits<TriangleMesh> Graph_traits;
@@ -113,8 +115,8 @@ public:
   // `is_all_replaced`: nothing needs to keep its descriptors
   void operator()(const bool is_all_replaced)
   {
-    const auto patches = patches_of_input();
     std::vector<Halfedge> border; // whose next halfedge may be another one in the end
+    const auto patches = patches_of_input(is_all_replaced);
     if (is_all_replaced)
       remove_all_elements_of(m_tmesh);
     else
@@ -124,9 +126,11 @@ public:
     }
     const New_elements<TriangleMesh> added = add_new_elements(is_all_replaced);
     place_vertices(added.vertices, is_all_replaced);
-    connect_edges(added.edges, border);
-    connect_faces(added.faces, patches);
+    connect_edges(added.edges, is_all_replaced, border);
+    connect_faces(added.faces, is_all_replaced);
     close_border(border);
+    if (!is_all_replaced)
+      put_patches(added.faces, patches);
   }
 
   // the vertex of the caller's mesh that stands for one of the working mesh
@@ -141,12 +145,13 @@ private:
   static std::size_t index(const Halfedge_index h) { return std::size_t(h); }
 
   // by the number of the face among those that are remeshed: their descriptors will be gone
-  auto patches_of_input() const
+  auto patches_of_input(const bool is_all_replaced) const
   {
     typedef std::decay_t<decltype(get(m_constraints.face_patch, *faces(m_tmesh).begin()))> Patch;
     std::vector<Patch> result;
-    for (const Face f : m_origin.faces)
-      result.push_back(get(m_constraints.face_patch, f));
+    if (!is_all_replaced)
+      for (const Face f : m_origin.faces)
+        result.push_back(get(m_constraints.face_patch, f));
     return result;
   }
 
@@ -227,61 +232,105 @@ private:
     return add_elements(number_of_vertices, number_of_edges, m_mesh.number_of_faces(), m_tmesh);
   }
 
+  // Elements of a Surface_mesh are written by several threads. The maps of the caller may not stand that; where all elements
+  // are replaced there are none.
+  template <typename Function>
+  void for_each(const std::size_t n, const bool is_all_replaced, const Function& f) const
+  {
+    typedef typename boost::property_map<TriangleMesh, vertex_point_t>::type Own_point_map;
+    if constexpr (is_surface_mesh(static_cast<const TriangleMesh*>(nullptr)) &&
+                  std::is_same<VertexPointMap, Own_point_map>::value)
+      if (is_all_replaced)
+      {
+        parallel_for<ConcurrencyTag>(n, f, 4096);
+        return;
+      }
+    for (std::size_t i = 0; i < n; ++i)
+      f(i);
+  }
+
+  template <typename Point>
+  static constexpr bool is_surface_mesh(const Surface_mesh<Point>*)
+  {
+    return true;
+  }
+  static constexpr bool is_surface_mesh(const void*) { return false; }
+
   void place_vertices(const std::vector<Vertex>& added, const bool is_all_replaced)
   {
     typedef typename boost::property_traits<VertexPointMap>::value_type Point;
-    auto next_added = added.begin();
+    std::vector<Vertex_index> placed;
+    placed.reserve(added.size());
     for (const Vertex_index v : m_mesh.vertices())
+      if (!is_kept(v, is_all_replaced))
+      {
+        m_vertices[v] = added[placed.size()];
+        placed.push_back(v);
+      }
+    for_each(placed.size(), is_all_replaced,
+             [&](const std::size_t i)
+             {
+               const Vector p = m_origin.unit * m_mesh.point(placed[i]).point;
+               put(m_vpm, added[i], Point(p[0], p[1], p[2]));
+             });
+  }
+
+  void connect_edges(const std::vector<Edge>& added, const bool is_all_replaced, std::vector<Halfedge>& border)
+  {
+    std::vector<Edge_index> connected;
+    connected.reserve(added.size());
+    for (const Edge_index e : m_mesh.edges())
+      if (!is_kept(e))
+        connected.push_back(e);
+    for_each(connected.size(), is_all_replaced,
+             [&](const std::size_t i)
+             {
+               const Halfedge_index h = m_mesh.halfedge(connected[i]), g = m_mesh.opposite(h);
+               m_halfedges[index(h)] = halfedge(added[i], m_tmesh);
+               m_halfedges[index(g)] = opposite(m_halfedges[index(h)], m_tmesh);
+               for (const Halfedge_index side : {h, g})
+                 set_target(m_halfedges[index(side)], m_vertices[m_mesh.target(side)], m_tmesh);
+             });
+    for (std::size_t i = 0; i < connected.size(); ++i)
     {
-      if (is_kept(v, is_all_replaced))
-        continue;
-      const Vector p = m_origin.unit * m_mesh.point(v).point;
-      m_vertices[v] = *next_added++;
-      put(m_vpm, m_vertices[v], Point(p[0], p[1], p[2]));
+      const Edge_index e = connected[i];
+      const bool is_on_border = m_mesh.is_border(e);
+      if (is_on_border)
+        for (const Halfedge_index side : {m_mesh.halfedge(e), m_mesh.opposite(m_mesh.halfedge(e))})
+          if (m_mesh.is_border(side))
+          {
+            set_face(m_halfedges[index(side)], Graph_traits::null_face(), m_tmesh);
+            border.push_back(m_halfedges[index(side)]);
+          }
+      if (!is_all_replaced)
+        put(m_constraints.edge_is_constrained, added[i], m_mesh.is_on_curve(e) && !is_on_border);
     }
   }
 
-  void connect_edges(const std::vector<Edge>& added, std::vector<Halfedge>& border)
+  void connect_faces(const std::vector<Face>& added, const bool is_all_replaced)
   {
-    auto next_added = added.begin();
-    for (const Edge_index e : m_mesh.edges())
-    {
-      if (is_kept(e))
-        continue;
-      const Halfedge_index h = m_mesh.halfedge(e), g = m_mesh.opposite(h);
-      const Edge edge = *next_added++;
-      m_halfedges[index(h)] = halfedge(edge, m_tmesh);
-      m_halfedges[index(g)] = opposite(m_halfedges[index(h)], m_tmesh);
-      for (const Halfedge_index side : {h, g})
-      {
-        set_target(m_halfedges[index(side)], m_vertices[m_mesh.target(side)], m_tmesh);
-        if (!m_mesh.is_border(side))
-          continue;
-        set_face(m_halfedges[index(side)], Graph_traits::null_face(), m_tmesh);
-        border.push_back(m_halfedges[index(side)]);
-      }
-      put(m_constraints.edge_is_constrained, edge, m_mesh.is_on_curve(e) && !m_mesh.is_border(e));
-    }
+    std::vector<Face_index> connected(m_mesh.faces().begin(), m_mesh.faces().end());
+    for_each(connected.size(), is_all_replaced,
+             [&](const std::size_t i)
+             {
+               Halfedge_index h = m_mesh.halfedge(connected[i]);
+               set_halfedge(added[i], m_halfedges[index(h)], m_tmesh);
+               for (int k = 0; k < 3; ++k, h = m_mesh.next(h))
+               {
+                 set_face(m_halfedges[index(h)], added[i], m_tmesh);
+                 set_next(m_halfedges[index(h)], m_halfedges[index(m_mesh.next(h))], m_tmesh);
+               }
+             });
+    for (const Vertex_index v : m_mesh.vertices())
+      set_halfedge(m_vertices[v], m_halfedges[index(m_mesh.halfedge(v))], m_tmesh);
   }
 
   template <typename Patches>
-  void connect_faces(const std::vector<Face>& added, const Patches& patches)
+  void put_patches(const std::vector<Face>& added, const Patches& patches)
   {
-    auto next_added = added.begin();
+    std::size_t i = 0;
     for (const Face_index f : m_mesh.faces())
-    {
-      const Face face = *next_added++;
-      Halfedge_index h = m_mesh.halfedge(f);
-      set_halfedge(face, m_halfedges[index(h)], m_tmesh);
-      for (int k = 0; k < 3; ++k, h = m_mesh.next(h))
-      {
-        const Halfedge in_face = m_halfedges[index(h)];
-        set_face(in_face, face, m_tmesh);
-        set_next(in_face, m_halfedges[index(m_mesh.next(h))], m_tmesh);
-        set_halfedge(m_vertices[m_mesh.target(h)], in_face, m_tmesh);
-      }
-      put(m_constraints.face_patch, face, patches[m_mesh.input_face(f)]);
-    }
+      put(m_constraints.face_patch, added[i++], patches[m_mesh.input_face(f)]);
   }
 
   // At a manifold vertex there is one border halfedge that leaves it, beyond the faces about it. It is the vertex's own, as
