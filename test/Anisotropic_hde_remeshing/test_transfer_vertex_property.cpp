@@ -14,7 +14,6 @@
 
 #include <CGAL/IO/Color.h>
 #include <CGAL/Polyhedron_3.h>
-#include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/properties.h>
 
 #include <algorithm>
@@ -84,8 +83,7 @@ void test_surface_mesh()
 void test_polyhedron()
 {
   Polyhedron mesh = to_mesh<Polyhedron>(scaled(icosphere_soup(3), 1, 2, 5));
-  Polyhedron input;
-  CGAL::copy_face_graph(mesh, input);
+  const Polyhedron input = mesh; // copy_face_graph() would change the order of its elements
   const auto locations = get(CGAL::dynamic_vertex_property_t<Hde::Input_location>(), mesh);
   CGAL::anisotropic_hde_remeshing<Tag>(
       mesh, Ellipsoid_function(),

@@ -121,7 +121,7 @@ Discontinuities at vertices, such as the seams of a texture, are not seen.
 \tparam Interpolation a functor like `Linear_interpolation`
 
 \param input a copy, made before the call, of the mesh that was given to `CGAL::anisotropic_hde_remeshing()`, with its
-       vertices and faces in the same order
+       vertices and faces in the same order: by the copy constructor, as `CGAL::copy_face_graph()` keeps no order
 \param input_property the values at its vertices
 \param output the result
 \param vertex_location the map that was given by the name `vertex_location_map`
