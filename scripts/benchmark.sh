@@ -25,15 +25,8 @@ done
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source scripts/common.sh
 
-build_dir=${BUILD_DIR:-build/benchmark}
-
-install_packages
-unpack_cgal_data "$build_dir"
-cmake -Wno-dev -S . -B "$build_dir" -DCMAKE_BUILD_TYPE=Release -DCGAL_AHR_NATIVE=ON -DBUILD_TESTING=OFF
-cmake --build "$build_dir" --target benchmark_remeshing -j "${JOBS:-2}"
-
-program=$(find "$build_dir" -name benchmark_remeshing -type f -perm -u+x)
-"$program" "$(cgal_data_dir "$build_dir")/meshes/bunny00.off" 75408 .01 --iso
+build_benchmark benchmark_remeshing
+"$program" "$data/bunny00.off" 75408 .01 --iso
 "$program" ellipsoid 9996 .15 --iso # 5,000 vertices
 for ((i = 0; i < ${#meshes[@]}; i += 3)); do
   "$program" "${meshes[i]}" "${meshes[i + 1]}" "${meshes[i + 2]}" --iso

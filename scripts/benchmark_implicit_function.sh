@@ -24,14 +24,6 @@ done
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source scripts/common.sh
 
-build_dir=${BUILD_DIR:-build/benchmark}
-
-install_packages
-unpack_cgal_data "$build_dir"
-cmake -Wno-dev -S . -B "$build_dir" -DCMAKE_BUILD_TYPE=Release -DCGAL_AHR_NATIVE=ON -DBUILD_TESTING=OFF
-cmake --build "$build_dir" --target benchmark_implicit_function -j "${JOBS:-2}"
-
-program=$(find "$build_dir" -name benchmark_implicit_function -type f -perm -u+x)
-data=$(cgal_data_dir "$build_dir")/meshes
+build_benchmark benchmark_implicit_function
 "$program" --sections "${SECTIONS:-abcdef}" "$data/bunny00.off" "$data/armadillo.off" "$data/elephant.off" \
   "$data/camel.off" "${meshes[@]}"

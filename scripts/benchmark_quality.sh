@@ -22,15 +22,8 @@ done
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source scripts/common.sh
 
-build_dir=${BUILD_DIR:-build/benchmark}
-
-install_packages
-unpack_cgal_data "$build_dir"
-cmake -Wno-dev -S . -B "$build_dir" -DCMAKE_BUILD_TYPE=Release -DCGAL_AHR_NATIVE=ON -DBUILD_TESTING=OFF
-cmake --build "$build_dir" --target benchmark_remeshing -j "${JOBS:-2}"
-
-program=$(find "$build_dir" -name benchmark_remeshing -type f -perm -u+x)
-meshes+=("$(cgal_data_dir "$build_dir")/meshes/bunny00.off")
+build_benchmark benchmark_remeshing
+meshes+=("$data/bunny00.off")
 for faces in 4000 40000; do # 2,000 and 20,000 vertices
   for shape in ellipsoid torus; do
     "$program" $shape $faces 0 --iso --runs 1

@@ -20,6 +20,8 @@
 //            the mean of the smallest angles in space of both
 // --runs N   how often to run; times are medians (default: 1, with --iso 3)
 
+#include "isotropic_remeshing.h"
+#include "seconds_of.h"
 #include "shapes.h"
 
 #include <CGAL/Anisotropic_hde_remeshing/distance_measures.h>
@@ -29,7 +31,6 @@
 #include <CGAL/anisotropic_hde_remeshing.h>
 
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
-#include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <CGAL/Polygon_mesh_processing/repair.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Real_timer.h>
@@ -95,15 +96,6 @@ double median(std::vector<double> values)
 {
   std::sort(values.begin(), values.end());
   return values[values.size() / 2];
-}
-
-template <typename Call>
-double seconds_of(const Call& call)
-{
-  CGAL::Real_timer timer;
-  timer.start();
-  call();
-  return timer.time();
 }
 
 // The signed distance to the ellipsoid, exactly: the closest point of p is (a^2 x / (a^2 + t), ...) for the root t of
@@ -176,33 +168,6 @@ double normal_deviation(const Mesh& mesh, const Ellipsoid_distance& exact)
       }
   }
   return std::sqrt(sum / area) * 180 / pi;
-}
-
-// --- isotropic_remeshing of CGAL, the yardstick for the time ---
-
-Mesh isotropically_remeshed(const Mesh& input, const double length)
-{
-  Mesh mesh = input;
-  PMP::isotropic_remeshing(faces(mesh), length, mesh, CGAL::parameters::number_of_iterations(10));
-  return mesh;
-}
-
-// the edge length that gives the number of faces within 2%
-double isotropic_length(const Mesh& input, const std::size_t wanted)
-{
-  double area = 0;
-  for (const Mesh::Face_index f : input.faces())
-    area += PMP::face_area(f, input);
-  double length = std::sqrt(area / double(wanted) * 4 / std::sqrt(3.));
-  for (int attempt = 0; attempt < 12; ++attempt)
-  {
-    const double ratio = double(isotropically_remeshed(input, length).number_of_faces()) / double(wanted);
-    if (std::abs(ratio - 1) <= 0.02)
-      return length;
-    length *= std::sqrt(ratio);
-  }
-  std::cerr << "isotropic_remeshing does not come within 2% of the number of faces" << std::endl;
-  return length;
 }
 
 // --- The figures ---

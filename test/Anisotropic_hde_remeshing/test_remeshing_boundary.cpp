@@ -8,6 +8,7 @@
 
 // Remeshing of surfaces with boundary: the new boundary lies on the old one, corners stay, so does the topology.
 
+#include "polylines.h"
 #include "remeshing_checks.h"
 
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
@@ -24,8 +25,6 @@ using namespace remeshing_checks;
 
 typedef CGAL::Parallel_if_available_tag Tag;
 
-typedef std::vector<Kernel::Segment_3> Polyline;
-
 Polyline boundary(const Mesh& mesh)
 {
   Polyline result;
@@ -33,28 +32,6 @@ Polyline boundary(const Mesh& mesh)
     if (mesh.is_border(h))
       result.emplace_back(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)));
   return result;
-}
-
-double length(const Polyline& polyline)
-{
-  double sum = 0;
-  for (const Kernel::Segment_3& s : polyline)
-    sum += std::sqrt(s.squared_length());
-  return sum;
-}
-
-// of the vertices of the first from the second
-double largest_distance(const Polyline& from, const Polyline& to)
-{
-  double result = 0;
-  for (const Kernel::Segment_3& s : from)
-  {
-    double least = 1e300;
-    for (const Kernel::Segment_3& t : to)
-      least = (std::min)(least, CGAL::squared_distance(s.source(), t));
-    result = (std::max)(result, least);
-  }
-  return std::sqrt(result);
 }
 
 // `sag`: how far, over the diagonal, chords of the length of the new edges may lie from the old boundary

@@ -8,6 +8,7 @@
 
 // Constraints: face ranges, edges, vertices, patches, and their protection.
 
+#include "polylines.h"
 #include "remeshing_checks.h"
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -31,7 +32,6 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 
 typedef CGAL::Parallel_if_available_tag Tag;
 typedef CGAL::Polyhedron_3<Kernel> Polyhedron;
-typedef std::vector<Kernel::Segment_3> Polyline;
 
 template <typename TriangleMesh>
 Point_3 centroid(const typename boost::graph_traits<TriangleMesh>::face_descriptor f, const TriangleMesh& mesh)
@@ -46,28 +46,6 @@ Kernel::Segment_3 segment(const typename boost::graph_traits<TriangleMesh>::edge
 {
   const auto vpm = get(CGAL::vertex_point, mesh);
   return Kernel::Segment_3(get(vpm, source(e, mesh)), get(vpm, target(e, mesh)));
-}
-
-double length(const Polyline& polyline)
-{
-  double sum = 0;
-  for (const Kernel::Segment_3& s : polyline)
-    sum += std::sqrt(s.squared_length());
-  return sum;
-}
-
-// of the ends of the first from the second
-double largest_distance(const Polyline& from, const Polyline& to)
-{
-  double result = 0;
-  for (const Kernel::Segment_3& s : from)
-  {
-    double least = 1e300;
-    for (const Kernel::Segment_3& t : to)
-      least = (std::min)({least, CGAL::squared_distance(s.source(), t), CGAL::squared_distance(s.target(), t)});
-    result = (std::max)(result, least);
-  }
-  return std::sqrt(result);
 }
 
 // --- face ranges ---

@@ -11,13 +11,13 @@
 #ifndef CGAL_ANISOTROPIC_HDE_REMESHING_BENCHMARK_IMPLICIT_FUNCTION_COMMON_H
 #define CGAL_ANISOTROPIC_HDE_REMESHING_BENCHMARK_IMPLICIT_FUNCTION_COMMON_H
 
+#include "../seconds_of.h"
 #include "shapes.h"
 
 #include <CGAL/Anisotropic_hde_remeshing/internal/measures/Area_sampler.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/measures/Measured_mesh.h>
 #include <CGAL/Rbf_implicit_function.h>
 
-#include <CGAL/Real_timer.h>
 #include <CGAL/tags.h>
 
 #include <algorithm>
@@ -55,15 +55,6 @@ inline std::vector<Point_3> points_on(const Mesh& mesh, const std::size_t number
     points.emplace_back(p.x(), p.y(), p.z());
   }
   return points;
-}
-
-template <typename Call>
-double seconds_of(const Call& call)
-{
-  CGAL::Real_timer timer;
-  timer.start();
-  call();
-  return timer.time();
 }
 
 // the least of several runs: what else runs on the machine only adds to it

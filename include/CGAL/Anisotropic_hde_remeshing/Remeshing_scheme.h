@@ -18,9 +18,9 @@ namespace Anisotropic_hde_remeshing {
 enum class Remeshing_scheme
 {
   /// An iteration splits edges from 4/3 and contracts edges below 4/5 of the target length, and then the longest or the
-  /// shortest ones until the number of faces is right, which is alternately a little less and a little more than asked; flips
-  /// edges, in the last iterations towards larger angles, before towards valence six; and smooths all vertices. It measures
-  /// best and is the default.
+  /// shortest ones until the number of faces is right, which is alternately a little less and a little more than asked, and
+  /// once two fifths more if the mesh begins with about the right number; flips edges, in the last iterations towards larger
+  /// angles, before towards valence six; and smooths all vertices. It measures best and is the default.
   DEFAULT,
   /// Algorithm 2 of the paper: an iteration contracts edges below half of the target length, smooths the 30% of the vertices
   /// with the smallest 6D angles and flips edges until nothing is contracted; then it splits edges above 3/2 of the target

@@ -28,6 +28,8 @@
 #include <CGAL/Real_timer.h>
 
 #include <cstddef>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {

@@ -8,10 +8,10 @@
 
 // CGAL's isotropic_remeshing, the yardstick for the time of the build.
 
-#ifndef CGAL_ANISOTROPIC_HDE_REMESHING_BENCHMARK_IMPLICIT_FUNCTION_ISOTROPIC_REMESHING_H
-#define CGAL_ANISOTROPIC_HDE_REMESHING_BENCHMARK_IMPLICIT_FUNCTION_ISOTROPIC_REMESHING_H
+#ifndef CGAL_ANISOTROPIC_HDE_REMESHING_BENCHMARK_ISOTROPIC_REMESHING_H
+#define CGAL_ANISOTROPIC_HDE_REMESHING_BENCHMARK_ISOTROPIC_REMESHING_H
 
-#include "common.h"
+#include "shapes.h"
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
@@ -20,22 +20,22 @@
 #include <cstddef>
 #include <iostream>
 
-inline Mesh isotropically_remeshed(const Mesh& input, const double length)
+inline shapes::Mesh isotropically_remeshed(const shapes::Mesh& input, const double length)
 {
-  Mesh mesh = input;
+  shapes::Mesh mesh = input;
   CGAL::Polygon_mesh_processing::isotropic_remeshing(faces(mesh), length, mesh,
                                                      CGAL::parameters::number_of_iterations(10));
   return mesh;
 }
 
 // the side of the equilateral triangles that cover the mesh, so many of them
-inline double length_of_edges(const Mesh& mesh, const std::size_t number_of_faces)
+inline double length_of_edges(const shapes::Mesh& mesh, const std::size_t number_of_faces)
 {
   return std::sqrt(CGAL::Polygon_mesh_processing::area(mesh) / double(number_of_faces) * 4 / std::sqrt(3.));
 }
 
-// the edge length that gives the number of faces within 2%, as in benchmark_remeshing
-inline double isotropic_length(const Mesh& input, const std::size_t wanted)
+// the edge length that gives the number of faces within 2%
+inline double isotropic_length(const shapes::Mesh& input, const std::size_t wanted)
 {
   double length = length_of_edges(input, wanted);
   for (int attempt = 0; attempt < 12; ++attempt)
@@ -49,4 +49,4 @@ inline double isotropic_length(const Mesh& input, const std::size_t wanted)
   return length;
 }
 
-#endif // CGAL_ANISOTROPIC_HDE_REMESHING_BENCHMARK_IMPLICIT_FUNCTION_ISOTROPIC_REMESHING_H
+#endif // CGAL_ANISOTROPIC_HDE_REMESHING_BENCHMARK_ISOTROPIC_REMESHING_H
