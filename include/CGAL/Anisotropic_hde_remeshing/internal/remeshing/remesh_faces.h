@@ -69,7 +69,7 @@ void remesh(Working_mesh& mesh, const Function& function, const Input_surface& i
   const Curve_network curves(mesh);
   Projection projection(function, input, exact_distance * diagonal / unit, unit);
   Remesher remesher(mesh, embedding, projection, curves, parameters, visitor, interruption, result);
-  remesher.project_exactly();
+  remesher.project_input();
   if (orientation(mesh) < 0)
   {
     projection.set_orientation(-1);

@@ -35,17 +35,17 @@ template <typename ConcurrencyTag>
 class Mesh_reorderer
 {
 public:
-  explicit Mesh_reorderer(Working_mesh& mesh) : m_mesh(mesh) {}
+  Mesh_reorderer(Working_mesh& mesh, Interruption& interruption) : m_mesh(mesh), m_interruption(interruption) {}
 
   // leaves the mesh as it is if it is interrupted
-  void operator()(Interruption& interruption)
+  void operator()()
   {
     const auto steps = {&Mesh_reorderer::place_vertices, &Mesh_reorderer::connect_edges, &Mesh_reorderer::connect_faces,
                         &Mesh_reorderer::connect_halfedges};
     for (const auto step : steps)
     {
       (this->*step)();
-      if (interruption.ask())
+      if (m_interruption.ask())
         return;
     }
     m_mesh = std::move(m_ordered);
@@ -63,6 +63,8 @@ private:
     }
     typedef First_of_pair_property_map<std::pair<Point_3, Vertex_index>> Point_map;
     hilbert_sort<ConcurrencyTag>(points.begin(), points.end(), Spatial_sort_traits_adapter_3<Simple_cartesian<double>, Point_map>());
+    if (m_interruption.ask())
+      return;
     m_ordered.resize(m_mesh.number_of_vertices(), m_mesh.number_of_edges(), m_mesh.number_of_faces());
     m_vertices.resize(vertex_capacity(m_mesh));
     auto next = m_ordered.vertices().begin();
@@ -96,6 +98,8 @@ private:
     auto next = m_ordered.edges().begin();
     for (const Edge_index e : in_order<Edge_index>(m_mesh.edges(), number))
     {
+      if (m_interruption.poll())
+        return;
       const Halfedge_index h = m_mesh.halfedge(e), g = m_mesh.opposite(h);
       m_halfedges[h] = m_ordered.halfedge(*next++);
       m_halfedges[g] = m_ordered.opposite(m_halfedges[h]);
@@ -117,6 +121,8 @@ private:
     auto next = m_ordered.faces().begin();
     for (const Face_index f : in_order<Face_index>(m_mesh.faces(), number))
     {
+      if (m_interruption.poll())
+        return;
       const Face_index added = *next++;
       m_ordered.set_input_face(added, m_mesh.input_face(f));
       m_ordered.set_halfedge(added, m_halfedges[m_mesh.halfedge(f)]);
@@ -128,10 +134,15 @@ private:
   void connect_halfedges()
   {
     for (const Halfedge_index h : m_mesh.halfedges())
+    {
+      if (m_interruption.poll())
+        return;
       m_ordered.set_next(m_halfedges[h], m_halfedges[m_mesh.next(h)]);
+    }
   }
 
   Working_mesh& m_mesh;
+  Interruption& m_interruption;
   Working_mesh m_ordered;
   std::vector<Vertex_index> m_vertices;     // of the ordered mesh, by those of the mesh
   std::vector<Halfedge_index> m_halfedges; // likewise
@@ -140,7 +151,7 @@ private:
 template <typename ConcurrencyTag>
 void reorder_in_space(Working_mesh& mesh, Interruption& interruption)
 {
-  Mesh_reorderer<ConcurrencyTag>{mesh}(interruption);
+  Mesh_reorderer<ConcurrencyTag>{mesh, interruption}();
 }
 
 } // namespace internal

@@ -11,9 +11,9 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
-#include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/Interruption.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Curve_network.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Face_guard.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Simultaneous_moves.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Surface_projection.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Working_mesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/embedded_triangle.h>
@@ -52,35 +52,23 @@ public:
   // one simultaneous step of the share `ratio` of the vertices with the smallest angles in the embedding
   void operator()(const double ratio = 1) const
   {
-    const std::size_t n = vertex_capacity(m_mesh);
-    std::vector<char> is_moved(n, 0);
-    std::vector<Proposal> proposals(n);
+    Simultaneous_moves moves(m_mesh);
+    std::vector<double> shifts(vertex_capacity(m_mesh), 0.);
     const std::vector<char> is_chosen = choose(ratio);
-    parallel_for<ConcurrencyTag>(n,
-                                 [&](const std::size_t i)
-                                 {
-                                   const Vertex_index v(static_cast<Vertex_index::size_type>(i));
-                                   if (!is_chosen.empty() && !is_chosen[i])
-                                     return;
-                                   if (!m_mesh.is_removed(v) && !m_mesh.point(v).is_fixed)
-                                     is_moved[i] = propose(v, proposals[i]);
-                                 },
-                                 64, m_interruption);
-    revert_folds(proposals, is_moved);
+    moves.propose<ConcurrencyTag>(
+        [&](const Vertex_index v) { return (is_chosen.empty() || is_chosen[v]) && !m_mesh.point(v).is_fixed; },
+        [&](const Vertex_index v, Vertex_state& state)
+        { return state.is_on_curve ? slide(v, state, shifts[v]) : move(v, state); },
+        m_interruption);
+    moves.revert_folds<ConcurrencyTag>(m_interruption);
     if (m_interruption.ask())
       return; // not all have been moved, or looked at
-    for (std::size_t i = 0; i < n; ++i)
-      if (is_moved[i])
-        accept(Vertex_index(static_cast<Vertex_index::size_type>(i)), proposals[i]);
+    for (const Vertex_index v : m_mesh.vertices())
+      if (moves.is_moved(v))
+        accept(v, moves.state(v), shifts[v]);
   }
 
 private:
-  struct Proposal
-  {
-    Vertex_state state;
-    double shift = 0; // along the halfedge of the curve that ends at the vertex and `curve_halfedge` finds
-  };
-
   // two axes orthogonal to a normal
   typedef Eigen::Matrix<double, 3, 2> Frame;
 
@@ -126,21 +114,15 @@ private:
     return largest;
   }
 
-  bool propose(const Vertex_index v, Proposal& proposal) const
+  void accept(const Vertex_index v, const Vertex_state& state, const double shift) const
   {
-    proposal.state = m_mesh.point(v);
-    return proposal.state.is_on_curve ? slide(v, proposal) : move(v, proposal.state);
-  }
-
-  void accept(const Vertex_index v, const Proposal& proposal) const
-  {
-    m_mesh.point(v) = proposal.state;
-    if (!proposal.state.is_on_curve)
+    m_mesh.point(v) = state;
+    if (!state.is_on_curve)
       return;
     const Halfedge_index in = curve_halfedge(v), out = Curve_network::next_on_curve(in, m_mesh);
     Curve_arc before = m_mesh.arc(in), behind = m_mesh.arc(out);
-    before.target += proposal.shift;
-    behind.source += proposal.shift;
+    before.target += shift;
+    behind.source += shift;
     m_mesh.set_arc(in, before);
     m_mesh.set_arc(out, behind);
   }
@@ -154,10 +136,10 @@ private:
     return in;
   }
 
-  // along the curve, to where both edges of it have the same length in the embedding
-  bool slide(const Vertex_index v, Proposal& proposal) const
+  // along the curve, to where both edges of it have the same length in the embedding; `shift` goes along the halfedge that
+  // `curve_halfedge()` finds
+  bool slide(const Vertex_index v, Vertex_state& state, double& shift) const
   {
-    Vertex_state& state = proposal.state;
     const Halfedge_index in = curve_halfedge(v), out = Curve_network::next_on_curve(in, m_mesh);
     const double length_before = std::sqrt(m_embedding.squared_length(m_mesh.point(m_mesh.source(in)), state)),
                  length_behind = std::sqrt(m_embedding.squared_length(state, m_mesh.point(m_mesh.target(out))));
@@ -166,8 +148,8 @@ private:
       return false;
     const Curve_arc before = m_mesh.arc(in), behind = m_mesh.arc(out);
     const double way = share > 0 ? behind.target - behind.source : before.target - before.source;
-    proposal.shift = 0.5 * relaxation * share * way;
-    state.point = m_curves.point(before.curve, before.target + proposal.shift);
+    shift = 0.5 * relaxation * share * way;
+    state.point = m_curves.point(before.curve, before.target + shift);
     m_projection.update_normal(state);
     return true;
   }
@@ -249,64 +231,6 @@ private:
     around.to_point /= weights;
     around.to_normal /= weights;
     return true;
-  }
-
-  // Takes back the moves of the vertices of folded faces, and then of those that this has folded, until there are none: each
-  // round takes back at least one move.
-  void revert_folds(const std::vector<Proposal>& proposals, std::vector<char>& is_moved) const
-  {
-    std::vector<char> is_folded(face_capacity(m_mesh), 0);
-    parallel_for<ConcurrencyTag>(
-        is_folded.size(),
-        [&](const std::size_t i)
-        {
-          const Face_index f(static_cast<Face_index::size_type>(i));
-          is_folded[i] = !m_mesh.is_removed(f) && folds(f, proposals, is_moved);
-        },
-        256, m_interruption);
-    std::vector<Face_index> folded;
-    for (std::size_t i = 0; i < is_folded.size(); ++i)
-      if (is_folded[i])
-        folded.push_back(Face_index(static_cast<Face_index::size_type>(i)));
-    while (!folded.empty())
-    {
-      const std::vector<Vertex_index> reverted = revert(folded, is_moved);
-      folded.clear();
-      for (const Vertex_index v : reverted)
-        for (const Halfedge_index h : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
-          if (!m_mesh.is_border(h) && folds(m_mesh.face(h), proposals, is_moved))
-            folded.push_back(m_mesh.face(h));
-    }
-  }
-
-  // whether the moves fold the face
-  bool folds(const Face_index f, const std::vector<Proposal>& proposals, const std::vector<char>& is_moved) const
-  {
-    const Triangle t(m_mesh.halfedge(f), m_mesh);
-    if (!is_moved[t.a] && !is_moved[t.b] && !is_moved[t.c])
-      return false;
-    const auto state = [&](const Vertex_index v) -> const Vertex_state&
-    { return is_moved[v] ? proposals[v].state : m_mesh.point(v); };
-    const double after = Face_guard::quality(state(t.a), state(t.b), state(t.c));
-    return after < Face_guard::smallest_cosine &&
-           !Face_guard::accepts(after, Face_guard::quality(m_mesh.point(t.a), m_mesh.point(t.b), m_mesh.point(t.c)));
-  }
-
-  // the vertices whose moves it takes back
-  std::vector<Vertex_index> revert(const std::vector<Face_index>& folded, std::vector<char>& is_moved) const
-  {
-    std::vector<Vertex_index> result;
-    for (const Face_index f : folded)
-    {
-      const Triangle t(m_mesh.halfedge(f), m_mesh);
-      for (const Vertex_index v : {t.a, t.b, t.c})
-        if (is_moved[v])
-        {
-          is_moved[v] = 0;
-          result.push_back(v);
-        }
-    }
-    return result;
   }
 
   Working_mesh& m_mesh;
