@@ -32,6 +32,7 @@
 
 // List of named parameters that we use in the package 'Anisotropic_hde_remeshing'
 CGAL_add_named_parameter(sigma_t, sigma, sigma)
+CGAL_add_named_parameter(embedding_t, embedding, embedding)
 CGAL_add_named_parameter(relative_sigma_t, relative_sigma, relative_sigma)
 CGAL_add_named_parameter(target_edge_length_t, target_edge_length, target_edge_length)
 CGAL_add_named_parameter(relative_target_edge_length_t, relative_target_edge_length, relative_target_edge_length)

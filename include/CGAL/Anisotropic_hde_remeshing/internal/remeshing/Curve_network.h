@@ -33,7 +33,8 @@ class Curve_network
 
 public:
   // traces the edges of the mesh that are marked as unnamed, names their curves and fixes the corners
-  explicit Curve_network(Working_mesh& mesh)
+  template <typename Mesh>
+  explicit Curve_network(Mesh& mesh)
   {
     const std::vector<int> degrees = curve_degrees(mesh);
     for (const Vertex_index v : mesh.vertices())
@@ -55,7 +56,8 @@ public:
   Vector point(const int curve, const double arc_length) const { return m_curves[std::size_t(curve)].point(arc_length); }
 
   // the next halfedge along the curve of `h`, whose target is on nothing else
-  static Halfedge_index next_on_curve(const Halfedge_index h, const Working_mesh& mesh)
+  template <typename Mesh>
+  static Halfedge_index next_on_curve(const Halfedge_index h, const Mesh& mesh)
   {
     Halfedge_index in = h;
     do
@@ -100,7 +102,8 @@ private:
   static bool is_named_later(const Curve_arc& arc) { return arc.curve == Curve_arc::unnamed; }
 
   // The number of edges on curves at each vertex. A vertex with an edge that must not be touched is no inner one of a curve.
-  static std::vector<int> curve_degrees(const Working_mesh& mesh)
+  template <typename Mesh>
+  static std::vector<int> curve_degrees(const Mesh& mesh)
   {
     std::vector<int> degrees(vertex_capacity(mesh), 0);
     for (const Halfedge_index h : mesh.halfedges())
@@ -113,7 +116,8 @@ private:
   }
 
   // at a vertex with two edges on curves
-  static bool is_sharp(const Vertex_index v, const Working_mesh& mesh)
+  template <typename Mesh>
+  static bool is_sharp(const Vertex_index v, const Mesh& mesh)
   {
     Halfedge_index in = mesh.halfedge(v);
     while (!mesh.is_on_curve(mesh.edge(in)))
@@ -125,7 +129,8 @@ private:
   }
 
   // from the source of `first` to the next corner, or round
-  void trace(const Halfedge_index first, Working_mesh& mesh, std::vector<char>& is_traced)
+  template <typename Mesh>
+  void trace(const Halfedge_index first, Mesh& mesh, std::vector<char>& is_traced)
   {
     std::vector<Halfedge_index> halfedges(1, first);
     std::vector<Vector> points{mesh.point(mesh.source(first)).point, mesh.point(mesh.target(first)).point};

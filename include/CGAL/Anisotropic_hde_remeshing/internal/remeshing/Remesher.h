@@ -36,6 +36,9 @@ namespace internal {
 template <typename ConcurrencyTag, typename Embedding, typename Projection, typename Visitor>
 class Remesher
 {
+  typedef Working_mesh<typename Embedding::Vertex_data> Mesh;
+  typedef typename Mesh::Vertex Vertex;
+
   // Passes stop when next to nothing is left to do, which these only bound: a split halves an edge, a contraction shortens
   // none.
   static constexpr int maximum_number_of_split_passes = 40;
@@ -62,7 +65,7 @@ class Remesher
   static constexpr double longest_of_settling = 1.4;
 
 public:
-  Remesher(Working_mesh& mesh, const Embedding& embedding, const Projection& projection, const Curve_network& curves,
+  Remesher(Mesh& mesh, const Embedding& embedding, const Projection& projection, const Curve_network& curves,
            const Remeshing_parameters& parameters, Visitor& visitor, Interruption& interruption, Remeshing_result& result)
     : m_mesh(mesh), m_embedding(embedding), m_projection(projection), m_parameters(parameters), m_visitor(visitor),
       m_interruption(interruption), m_result(result), m_split(mesh, embedding, projection, curves, interruption),
@@ -104,29 +107,30 @@ private:
   // the same in the end; a vertex whose last way, from one rough projection to another, would fold a face stays where it is
   void project_exactly()
   {
-    Simultaneous_moves moves = exact_projections();
+    Simultaneous_moves<Mesh> moves = exact_projections();
     moves.template revert_folds<ConcurrencyTag>(m_interruption);
     accept(moves);
   }
 
-  Simultaneous_moves exact_projections() const
+  Simultaneous_moves<Mesh> exact_projections() const
   {
-    Simultaneous_moves moves(m_mesh);
+    Simultaneous_moves<Mesh> moves(m_mesh);
     moves.template propose<ConcurrencyTag>(
         [](Vertex_index) { return true; },
-        [&](const Vertex_index v, Vertex_state& state)
+        [&](const Vertex_index v, Vertex& state)
         {
           if (state.is_on_curve || state.is_fixed)
             m_projection.update_normal(state);
           else
             m_projection.project(state, 0.5 * mean_edge_length(v));
+          m_embedding.place(state);
           return true;
         },
         m_interruption);
     return moves;
   }
 
-  void accept(const Simultaneous_moves& moves)
+  void accept(const Simultaneous_moves<Mesh>& moves)
   {
     for (const Vertex_index v : m_mesh.vertices())
       if (moves.is_moved(v))
@@ -283,7 +287,7 @@ private:
     m_visitor.progress((m_iteration + share_of_iteration) / m_parameters.number_of_iterations);
   }
 
-  Working_mesh& m_mesh;
+  Mesh& m_mesh;
   const Embedding& m_embedding;
   const Projection& m_projection;
   const Remeshing_parameters m_parameters;

@@ -24,10 +24,13 @@ namespace internal {
 
 // New states of vertices that all move at once, of which those are taken back that would fold faces over: what is done does
 // not depend on the order of the vertices.
+template <typename Mesh>
 class Simultaneous_moves
 {
+  typedef typename Mesh::Vertex Vertex;
+
 public:
-  explicit Simultaneous_moves(const Working_mesh& mesh)
+  explicit Simultaneous_moves(const Mesh& mesh)
     : m_mesh(mesh), m_states(vertex_capacity(mesh)), m_is_moved(vertex_capacity(mesh), 0)
   {
   }
@@ -51,7 +54,7 @@ public:
 
   bool is_moved(const Vertex_index v) const { return m_is_moved[v]; }
 
-  const Vertex_state& state(const Vertex_index v) const { return m_is_moved[v] ? m_states[v] : m_mesh.point(v); }
+  const Vertex& state(const Vertex_index v) const { return m_is_moved[v] ? m_states[v] : m_mesh.point(v); }
 
   // Takes back the moves of the vertices of folded faces, and then of those that this has folded, until there are none: each
   // round takes back at least one move. Returns how many moves it took back.
@@ -114,8 +117,8 @@ private:
     return result;
   }
 
-  const Working_mesh& m_mesh;
-  std::vector<Vertex_state> m_states;
+  const Mesh& m_mesh;
+  std::vector<Vertex> m_states;
   std::vector<char> m_is_moved;
 };
 

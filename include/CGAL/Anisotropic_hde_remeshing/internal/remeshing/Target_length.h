@@ -40,8 +40,8 @@ public:
 
   double number_of_faces() const { return m_number_of_faces; }
 
-  template <typename Embedding>
-  void update(const Working_mesh& mesh, const Embedding& embedding)
+  template <typename Mesh, typename Embedding>
+  void update(const Mesh& mesh, const Embedding& embedding)
   {
     const double equilateral_area = 0.25 * std::sqrt(3.);
     if (m_is_length_given)
@@ -57,14 +57,14 @@ private:
   }
 
   // of the faces in the embedding
-  template <typename Embedding>
-  static double area(const Working_mesh& mesh, const Embedding& embedding)
+  template <typename Mesh, typename Embedding>
+  static double area(const Mesh& mesh, const Embedding& embedding)
   {
     double sum = 0;
     for (const Face_index f : mesh.faces())
     {
       const Triangle t(mesh.halfedge(f), mesh);
-      const Vertex_state &a = mesh.point(t.a), &b = mesh.point(t.b), &c = mesh.point(t.c);
+      const auto &a = mesh.point(t.a), &b = mesh.point(t.b), &c = mesh.point(t.c);
       sum += Embedded_triangle::area(embedding.squared_length(a, b), embedding.squared_length(b, c),
                                      embedding.squared_length(c, a));
     }

@@ -27,6 +27,12 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
+// those of any Surface_mesh
+typedef SM_Vertex_index Vertex_index;
+typedef SM_Halfedge_index Halfedge_index;
+typedef SM_Edge_index Edge_index;
+typedef SM_Face_index Face_index;
+
 // A vertex as the operations see it: where it is, and its unit normal, the direction of the function's gradient.
 struct Vertex_state
 {
@@ -41,6 +47,12 @@ struct Vertex_state
 // for the input and output that Surface_mesh declares for its points; nothing here uses them
 inline std::ostream& operator<<(std::ostream& out, const Vertex_state& v) { return out << v.point.transpose(); }
 inline std::istream& operator>>(std::istream& in, Vertex_state& v) { return in >> v.point[0] >> v.point[1] >> v.point[2]; }
+
+// with what the embedding keeps at a vertex, which may be nothing
+template <typename Vertex_data>
+struct Embedded_vertex : Vertex_state, Vertex_data
+{
+};
 
 // The part of a curve that a halfedge runs along: arc lengths from the begin of the curve. They decrease where the halfedge
 // runs against the curve, and go round a closed curve without a jump.
@@ -59,10 +71,12 @@ struct Curve_arc
 // The mesh that is modified: a copy of the caller's, whatever its type, so that the caller's is untouched until the end and
 // the result does not depend on how it numbers and recycles its elements. An edge knows its arc, a face the face of the input
 // from which it comes, which is the one whose patch it is in.
-class Working_mesh : public CGAL::Surface_mesh<Vertex_state>
+template <typename Vertex_data>
+class Working_mesh : public CGAL::Surface_mesh<Embedded_vertex<Vertex_data>>
 {
 public:
-  typedef CGAL::Surface_mesh<Vertex_state> Graph;
+  typedef Embedded_vertex<Vertex_data> Vertex;
+  typedef CGAL::Surface_mesh<Vertex> Graph;
 
   Working_mesh() { find_properties(); }
   Working_mesh(const Working_mesh&) = delete;
@@ -76,6 +90,9 @@ public:
   // what the functions on graphs take
   Graph& graph() { return *this; }
   const Graph& graph() const { return *this; }
+
+  using Graph::edge;
+  using Graph::opposite;
 
   bool is_on_curve(const Edge_index e) const { return m_arcs[e].curve != Curve_arc::none; }
 
@@ -99,30 +116,29 @@ private:
 
   void find_properties()
   {
-    m_arcs = add_property_map<Edge_index, Curve_arc>("e:curve_arc").first;
-    m_input_faces = add_property_map<Face_index, std::size_t>("f:input_face").first;
+    m_arcs = this->template add_property_map<Edge_index, Curve_arc>("e:curve_arc").first;
+    m_input_faces = this->template add_property_map<Face_index, std::size_t>("f:input_face").first;
   }
 
-  Property_map<Edge_index, Curve_arc> m_arcs;
-  Property_map<Face_index, std::size_t> m_input_faces;
+  typename Graph::template Property_map<Edge_index, Curve_arc> m_arcs;
+  typename Graph::template Property_map<Face_index, std::size_t> m_input_faces;
 };
 
-typedef Working_mesh::Vertex_index Vertex_index;
-typedef Working_mesh::Halfedge_index Halfedge_index;
-typedef Working_mesh::Edge_index Edge_index;
-typedef Working_mesh::Face_index Face_index;
-
 // the numbers of places that vectors indexed by vertices, edges, faces need, removed elements included
-inline std::size_t vertex_capacity(const Working_mesh& mesh) { return mesh.num_vertices(); }
-inline std::size_t edge_capacity(const Working_mesh& mesh) { return mesh.num_edges(); }
-inline std::size_t face_capacity(const Working_mesh& mesh) { return mesh.num_faces(); }
+template <typename Mesh>
+std::size_t vertex_capacity(const Mesh& mesh) { return mesh.num_vertices(); }
+template <typename Mesh>
+std::size_t edge_capacity(const Mesh& mesh) { return mesh.num_edges(); }
+template <typename Mesh>
+std::size_t face_capacity(const Mesh& mesh) { return mesh.num_faces(); }
 
 // the three vertices of the face of a halfedge that is not on the border
 struct Triangle
 {
   Vertex_index a, b, c;
 
-  Triangle(const Halfedge_index h, const Working_mesh& mesh)
+  template <typename Mesh>
+  Triangle(const Halfedge_index h, const Mesh& mesh)
     : a(mesh.source(h)), b(mesh.target(h)), c(mesh.target(mesh.next(h)))
   {
   }

@@ -33,11 +33,14 @@ namespace internal {
 template <typename ConcurrencyTag, typename Embedding>
 class Edge_collapser
 {
+  typedef Working_mesh<typename Embedding::Vertex_data> Mesh;
+  typedef typename Mesh::Vertex Vertex;
+
   // of the part of a curve that an edge stands for; it is .83 for a third of a circle
   static constexpr double smallest_chord = 0.85;
 
 public:
-  Edge_collapser(Working_mesh& mesh, const Embedding& embedding, Interruption& interruption)
+  Edge_collapser(Mesh& mesh, const Embedding& embedding, Interruption& interruption)
     : m_mesh(mesh), m_embedding(embedding), m_interruption(interruption)
   {
   }
@@ -98,7 +101,7 @@ private:
   // along a curve those of the path that they replace
   void contract(const Halfedge_index h) const
   {
-    const Vertex_state kept = m_mesh.point(m_mesh.target(h));
+    const Vertex kept = m_mesh.point(m_mesh.target(h));
     std::array<std::pair<Vertex_index, Curve_arc>, 3> arcs; // from neighbours to the vertex that stays
     std::size_t number_of_arcs = 0;
     for (const Halfedge_index side : {h, m_mesh.opposite(h)})
@@ -130,7 +133,7 @@ private:
   {
     static constexpr double not_allowed = (std::numeric_limits<double>::max)();
     const Vertex_index removed = m_mesh.source(h), kept = m_mesh.target(h);
-    const Vertex_state &from = m_mesh.point(removed), &to = m_mesh.point(kept);
+    const Vertex &from = m_mesh.point(removed), &to = m_mesh.point(kept);
     if (from.is_fixed || (from.is_on_curve && !may_shorten_curve(h)))
       return not_allowed;
     double longest = 0;
@@ -154,12 +157,12 @@ private:
   }
 
   // whether the face of `in` is as good with `to` in the place of the target of `in`
-  bool accepts_face(const Halfedge_index in, const Vertex_index kept, const Vertex_state& to) const
+  bool accepts_face(const Halfedge_index in, const Vertex_index kept, const Vertex& to) const
   {
     const Triangle t(in, m_mesh);
     if (t.a == kept || t.c == kept)
       return true; // it vanishes
-    const Vertex_state &a = m_mesh.point(t.a), &c = m_mesh.point(t.c);
+    const Vertex &a = m_mesh.point(t.a), &c = m_mesh.point(t.c);
     const double after = Face_guard::quality(a, to, c);
     return after >= Face_guard::smallest_cosine ||
            Face_guard::accepts(after, Face_guard::quality(a, m_mesh.point(t.b), c));
@@ -183,7 +186,7 @@ private:
 
   bool is_triangle(const Halfedge_index h) const { return m_mesh.next(m_mesh.next(m_mesh.next(h))) == h; }
 
-  Working_mesh& m_mesh;
+  Mesh& m_mesh;
   const Embedding& m_embedding;
   Interruption& m_interruption;
 };

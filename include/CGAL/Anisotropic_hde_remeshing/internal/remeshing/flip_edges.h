@@ -34,6 +34,9 @@ enum class Flip_criterion
 template <typename Embedding>
 class Edge_flipper
 {
+  typedef Working_mesh<typename Embedding::Vertex_data> Mesh;
+  typedef typename Mesh::Vertex Vertex;
+
   static constexpr int maximum_number_of_passes = 10;
   // the gain in the cosine below which a flip is not worth it; it also ends the passes in the case of ties
   static constexpr double smallest_gain = 1e-6;
@@ -41,7 +44,7 @@ class Edge_flipper
   static constexpr double largest_cosine_of_valence_flip = 0.9659258262890683;
 
 public:
-  Edge_flipper(Working_mesh& mesh, const Embedding& embedding, Interruption& interruption)
+  Edge_flipper(Mesh& mesh, const Embedding& embedding, Interruption& interruption)
     : m_mesh(mesh), m_embedding(embedding), m_interruption(interruption)
   {
   }
@@ -138,7 +141,7 @@ private:
   // the cosines of the smallest angles in the embedding of the two faces, now and after a flip
   void largest_cosines(const Quad& q, double& before, double& after) const
   {
-    const Vertex_state &a = m_mesh.point(q.a), &b = m_mesh.point(q.b), &c = m_mesh.point(q.c), &d = m_mesh.point(q.d);
+    const Vertex &a = m_mesh.point(q.a), &b = m_mesh.point(q.b), &c = m_mesh.point(q.c), &d = m_mesh.point(q.d);
     const double ab = m_embedding.squared_length(a, b), bc = m_embedding.squared_length(b, c),
                  ca = m_embedding.squared_length(c, a), ad = m_embedding.squared_length(a, d),
                  db = m_embedding.squared_length(d, b), cd = m_embedding.squared_length(c, d);
@@ -149,7 +152,7 @@ private:
   // guards 1, 3 and 5
   bool is_allowed(const Quad& q) const
   {
-    const Vertex_state &a = m_mesh.point(q.a), &b = m_mesh.point(q.b), &c = m_mesh.point(q.c), &d = m_mesh.point(q.d);
+    const Vertex &a = m_mesh.point(q.a), &b = m_mesh.point(q.b), &c = m_mesh.point(q.c), &d = m_mesh.point(q.d);
     const double after = (std::min)(Face_guard::quality(c, a, d), Face_guard::quality(d, b, c));
     if (after < Face_guard::smallest_cosine &&
         !Face_guard::accepts(after, (std::min)(Face_guard::quality(a, b, c), Face_guard::quality(b, a, d))))
@@ -171,7 +174,7 @@ private:
     }
   }
 
-  Working_mesh& m_mesh;
+  Mesh& m_mesh;
   const Embedding& m_embedding;
   Interruption& m_interruption;
 };

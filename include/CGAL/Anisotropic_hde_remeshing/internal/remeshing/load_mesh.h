@@ -53,7 +53,7 @@ struct Mesh_origin
 };
 
 // Copies faces of the caller's mesh, all or some, in a unit of its own, so that products of lengths neither overflow nor vanish. Where these touch in a vertex only, the copy has a vertex for each side.
-template <typename TriangleMesh, typename VertexPointMap, typename Constraints>
+template <typename TriangleMesh, typename VertexPointMap, typename Constraints, typename Mesh>
 class Mesh_loader
 {
   typedef boost::graph_traits<TriangleMesh> Graph_traits;
@@ -71,7 +71,7 @@ public:
 
   // Throws Interrupted, or std::invalid_argument if the faces are not a manifold mesh of triangles with finite coordinates, or none.
   template <typename FaceRange>
-  Mesh_origin<TriangleMesh> operator()(const FaceRange& range, Working_mesh& mesh)
+  Mesh_origin<TriangleMesh> operator()(const FaceRange& range, Mesh& mesh)
   {
     check_manifold();
     select(range);
@@ -122,7 +122,7 @@ private:
 
   bool is_selected(const Halfedge h) const { return !is_border(h, m_tmesh) && get(m_is_selected, face(h, m_tmesh)); }
 
-  void add_vertices(Working_mesh& mesh)
+  void add_vertices(Mesh& mesh)
   {
     for (const Halfedge h : halfedges(m_tmesh))
       put(m_vertex_of, h, none);
@@ -155,10 +155,10 @@ private:
   }
 
   // one that stands for the target of h in the selected faces between which and that of h there is no other
-  void add_vertex(const Halfedge h, const Vector& point, Working_mesh& mesh)
+  void add_vertex(const Halfedge h, const Vector& point, Mesh& mesh)
   {
     const Vertex v = target(h, m_tmesh);
-    Vertex_state state;
+    typename Mesh::Vertex state;
     state.point = point;
     state.is_fixed = get(m_constraints.vertex_is_constrained, v);
     state.input_vertex = m_origin.vertices.size();
@@ -171,7 +171,7 @@ private:
       put(m_vertex_of, prev(g, m_tmesh), index);
   }
 
-  void add_faces(Working_mesh& mesh)
+  void add_faces(Mesh& mesh)
   {
     mesh.reserve(mesh.num_vertices(), mesh.num_vertices() + m_origin.faces.size(), m_origin.faces.size());
     for (std::size_t i = 0; i < m_origin.faces.size(); ++i)
@@ -182,7 +182,7 @@ private:
       std::rotate(facet.begin(), std::min_element(facet.begin(), facet.end()), facet.end());
       m_origin.facets.push_back(facet);
       const Face_index added = mesh.add_face(vertex_index(facet[0]), vertex_index(facet[1]), vertex_index(facet[2]));
-      if (added == Working_mesh::null_face())
+      if (added == Mesh::null_face())
         throw std::invalid_argument("face " + std::to_string(m_origin.face_positions[i]) +
                                     " is on a non-manifold edge or vertex");
       mesh.set_input_face(added, i);
@@ -195,7 +195,7 @@ private:
   }
 
   // the boundary, the constrained edges, and those between two patches; where the other faces begin, nothing is touched
-  void mark_curves(Working_mesh& mesh) const
+  void mark_curves(Mesh& mesh) const
   {
     for (std::size_t i = 0; i < m_origin.faces.size(); ++i)
     {
@@ -237,11 +237,11 @@ private:
       get(dynamic_halfedge_property_t<std::size_t>(), m_tmesh)};
 };
 
-template <typename TriangleMesh, typename FaceRange, typename VertexPointMap, typename Constraints>
+template <typename TriangleMesh, typename FaceRange, typename VertexPointMap, typename Constraints, typename Mesh>
 Mesh_origin<TriangleMesh> load_mesh(const TriangleMesh& tmesh, const FaceRange& range, const VertexPointMap vpm,
-                                    const Constraints& constraints, Interruption& interruption, Working_mesh& mesh)
+                                    const Constraints& constraints, Interruption& interruption, Mesh& mesh)
 {
-  return Mesh_loader<TriangleMesh, VertexPointMap, Constraints>(tmesh, vpm, constraints, interruption)(range, mesh);
+  return Mesh_loader<TriangleMesh, VertexPointMap, Constraints, Mesh>(tmesh, vpm, constraints, interruption)(range, mesh);
 }
 
 } // namespace internal

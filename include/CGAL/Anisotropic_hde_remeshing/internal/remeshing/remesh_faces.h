@@ -37,7 +37,8 @@ namespace Anisotropic_hde_remeshing {
 namespace internal {
 
 // 1 if the faces of the mesh look along the normals of its vertices, -1 if most of their area looks against them
-inline double orientation(const Working_mesh& mesh)
+template <typename Mesh>
+double orientation(const Mesh& mesh)
 {
   double sum = 0;
   for (const Face_index f : mesh.faces())
@@ -50,19 +51,18 @@ inline double orientation(const Working_mesh& mesh)
 }
 
 // the second step, on the copy of the mesh; `diagonal` in the unit of the caller, `unit` that of the copy
-template <typename ConcurrencyTag, typename Function, typename Visitor, typename NamedParameters>
-void remesh(Working_mesh& mesh, const Function& function, const Input_surface& input, const double diagonal,
-            const double unit, Visitor& visitor, Interruption& interruption, const NamedParameters& np, Remeshing_result& result)
+template <typename ConcurrencyTag, typename Embedding, typename Function, typename Visitor, typename NamedParameters>
+void remesh(Working_mesh<typename Embedding::Vertex_data>& mesh, const Embedding& embedding, const Function& function,
+            const Input_surface& input, const double diagonal, const double unit, Visitor& visitor,
+            Interruption& interruption, const NamedParameters& np, Remeshing_result& result)
 {
   typedef Surface_projection<Function> Projection;
-  typedef Remesher<ConcurrencyTag, Normal_embedding, Projection, Visitor> Remesher;
+  typedef Remesher<ConcurrencyTag, Embedding, Projection, Visitor> Remesher;
   static constexpr double exact_distance = 1e-9; // of the diagonal; one more step of Newton squares it
 
   Real_timer timer;
   timer.start();
   visitor.stage_started(Stage::PROJECTION);
-  result.sigma = sigma_parameter(np, diagonal);
-  const Normal_embedding embedding(result.sigma / unit);
   const Remeshing_parameters parameters = remeshing_parameters(np);
   if (parameters.number_of_iterations > 0)
     reorder_in_space<ConcurrencyTag>(mesh, interruption);
@@ -82,18 +82,19 @@ void remesh(Working_mesh& mesh, const Function& function, const Input_surface& i
 
   timer.reset();
   visitor.stage_started(Stage::REMESHING);
-  Target_length target = target_length(np, diagonal, unit, mesh.number_of_faces());
+  const double unit_of_lengths = embedding.unit_of_lengths(unit);
+  Target_length target = target_length(np, embedding.unit_of_lengths(diagonal), unit_of_lengths, mesh.number_of_faces());
   target.update(mesh, embedding);
-  check_number_of_faces(target, unit);
+  check_number_of_faces(target, unit_of_lengths);
   remesher.run(target);
-  result.target_edge_length *= unit;
+  result.target_edge_length *= unit_of_lengths;
   result.projections = projection.counters();
   result.remeshing_seconds = timer.time();
 }
 
 // by the vertices of the working mesh; all on the first facet if none of them has a closest point
-template <typename ConcurrencyTag, typename TriangleMesh>
-std::vector<Input_location> locations_on_input(const Working_mesh& mesh, const Input_surface& input,
+template <typename ConcurrencyTag, typename Mesh, typename TriangleMesh>
+std::vector<Input_location> locations_on_input(const Mesh& mesh, const Input_surface& input,
                                                const Mesh_origin<TriangleMesh>& origin)
 {
   std::vector<Input_location> result(vertex_capacity(mesh));
@@ -128,8 +129,10 @@ Remeshing_result remesh_faces(const FaceRange& faces, TriangleMesh& tmesh, const
   Interruption interruption([&visitor] { return visitor.go_further(); });
   const auto constraints = mesh_constraints<TriangleMesh>(np);
 
+  typedef Embedding_parameter<NamedParameters> Embedding;
+  typedef Working_mesh<typename Embedding::Vertex_data> Mesh;
   Remeshing_result result;
-  Working_mesh mesh;
+  Mesh mesh;
   Mesh_origin<TriangleMesh> origin;
   try
   {
@@ -145,7 +148,10 @@ Remeshing_result remesh_faces(const FaceRange& faces, TriangleMesh& tmesh, const
   for (const Vertex_index v : mesh.vertices())
     points.push_back(mesh.point(v).point);
   const Input_surface input(std::move(points), origin.facets);
-  remesh<ConcurrencyTag>(mesh, function, input, origin.diagonal, origin.unit, visitor, interruption, np, result);
+  const Embedding embedding = embedding_parameter(np, origin.diagonal);
+  if constexpr (std::is_same<Embedding, Normal_embedding>::value)
+    result.sigma = embedding.sigma();
+  remesh<ConcurrencyTag>(mesh, embedding.in_unit(origin.unit), function, input, origin.diagonal, origin.unit, visitor, interruption, np, result);
   result.was_stopped = interruption.is_requested();
   if (result.was_stopped && result.number_of_iterations == 0)
     return result; // not all vertices may be on the surface yet
@@ -159,7 +165,7 @@ Remeshing_result remesh_faces(const FaceRange& faces, TriangleMesh& tmesh, const
   const bool is_all_replaced = is_whole_mesh && !is_constrained<NamedParameters>;
   if (is_all_replaced)
     result.number_of_isolated_vertices = origin.number_of_isolated_vertices;
-  Mesh_storer<ConcurrencyTag, TriangleMesh, decltype(vpm), std::decay_t<decltype(constraints)>> store(
+  Mesh_storer<ConcurrencyTag, Mesh, TriangleMesh, decltype(vpm), std::decay_t<decltype(constraints)>> store(
       mesh, origin, tmesh, vpm, constraints);
   store(is_all_replaced);
   if constexpr (is_given<NamedParameters, internal_np::vertex_location_map_t>)

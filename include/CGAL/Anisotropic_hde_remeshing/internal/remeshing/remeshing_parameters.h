@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
+#include <CGAL/Anisotropic_hde_remeshing/Normal_embedding.h>
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_scheme.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/check_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/named_parameters.h>
@@ -25,6 +26,7 @@
 #include <cstddef>
 #include <string>
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
@@ -84,23 +86,32 @@ Remeshing_parameters remeshing_parameters(const NamedParameters& np)
   return result;
 }
 
-// The lengths that the caller may give in the unit of the mesh or as a share of the diagonal of its bounding box
+// the embedding that is given or, without one, the paper's, with sigma in the unit of the mesh or as a share of the diagonal
+// of its bounding box
 template <typename NamedParameters>
-double sigma_parameter(const NamedParameters& np, const double diagonal)
+auto embedding_parameter(const NamedParameters& np, const double diagonal)
 {
-  static_assert(!is_given<NamedParameters, internal_np::sigma_t> || !is_given<NamedParameters, internal_np::relative_sigma_t>,
-                "sigma and relative_sigma exclude each other");
+  constexpr bool has_embedding = is_given<NamedParameters, internal_np::embedding_t>,
+                 has_sigma = is_given<NamedParameters, internal_np::sigma_t>,
+                 has_relative_sigma = is_given<NamedParameters, internal_np::relative_sigma_t>;
+  static_assert(int(has_embedding) + int(has_sigma) + int(has_relative_sigma) <= 1,
+                "embedding, sigma and relative_sigma exclude each other");
   using parameters::get_parameter;
-  if constexpr (is_given<NamedParameters, internal_np::sigma_t>)
-    return checked_not_negative("sigma", CGAL::to_double(get_parameter(np, internal_np::sigma)));
-  else if constexpr (is_given<NamedParameters, internal_np::relative_sigma_t>)
-    return diagonal *
-           checked_not_negative("relative_sigma", CGAL::to_double(get_parameter(np, internal_np::relative_sigma)));
+  if constexpr (has_embedding)
+    return std::decay_t<decltype(get_parameter(np, internal_np::embedding))>(get_parameter(np, internal_np::embedding));
+  else if constexpr (has_sigma)
+    return Normal_embedding(CGAL::to_double(get_parameter(np, internal_np::sigma)));
+  else if constexpr (has_relative_sigma)
+    return Normal_embedding(diagonal * checked_not_negative("relative_sigma", CGAL::to_double(get_parameter(
+                                                                np, internal_np::relative_sigma))));
   else
-    return 0.01 * diagonal;
+    return Normal_embedding(0.01 * diagonal);
 }
 
-// in `unit`
+template <typename NamedParameters>
+using Embedding_parameter = decltype(embedding_parameter(std::declval<NamedParameters>(), 1.));
+
+// in `unit`; it and the diagonal of the mesh as the embedding has them
 template <typename NamedParameters>
 Target_length target_length(const NamedParameters& np, const double diagonal, const double unit,
                             const std::size_t number_of_faces)
@@ -139,7 +150,7 @@ template <typename NamedParameters>
 void check_parameters(const NamedParameters& np)
 {
   remeshing_parameters(np);
-  sigma_parameter(np, 1);
+  embedding_parameter(np, 1);
   target_length(np, 1, 1, 1);
 }
 

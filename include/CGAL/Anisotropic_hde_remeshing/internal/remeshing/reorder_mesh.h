@@ -31,11 +31,11 @@ namespace internal {
 
 // Numbers the elements along a curve of Hilbert, so that neighbours in space are neighbours in memory: the operations on a mesh
 // in a random order wait for memory most of the time. Removed elements are dropped.
-template <typename ConcurrencyTag>
+template <typename ConcurrencyTag, typename Mesh>
 class Mesh_reorderer
 {
 public:
-  Mesh_reorderer(Working_mesh& mesh, Interruption& interruption) : m_mesh(mesh), m_interruption(interruption) {}
+  Mesh_reorderer(Mesh& mesh, Interruption& interruption) : m_mesh(mesh), m_interruption(interruption) {}
 
   // leaves the mesh as it is if it is interrupted
   void operator()()
@@ -141,17 +141,17 @@ private:
     }
   }
 
-  Working_mesh& m_mesh;
+  Mesh& m_mesh;
   Interruption& m_interruption;
-  Working_mesh m_ordered;
+  Mesh m_ordered;
   std::vector<Vertex_index> m_vertices;     // of the ordered mesh, by those of the mesh
   std::vector<Halfedge_index> m_halfedges; // likewise
 };
 
-template <typename ConcurrencyTag>
-void reorder_in_space(Working_mesh& mesh, Interruption& interruption)
+template <typename ConcurrencyTag, typename Mesh>
+void reorder_in_space(Mesh& mesh, Interruption& interruption)
 {
-  Mesh_reorderer<ConcurrencyTag>{mesh, interruption}();
+  Mesh_reorderer<ConcurrencyTag, Mesh>{mesh, interruption}();
 }
 
 } // namespace internal

@@ -13,13 +13,13 @@
 
 #include <CGAL/Anisotropic_hde_remeshing/internal/Interruption.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Curve_network.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Shape_operator_estimate.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Simultaneous_moves.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Surface_projection.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Working_mesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/embedded_triangle.h>
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
@@ -37,13 +37,17 @@ namespace internal {
 template <typename ConcurrencyTag, typename Embedding, typename Projection>
 class Vertex_smoother
 {
+  typedef Working_mesh<typename Embedding::Vertex_data> Mesh;
+  typedef typename Mesh::Vertex Vertex;
+  typedef typename Embedding::template Centroid<Vertex> Centroid;
+
   static constexpr double relaxation = 0.6;
   static constexpr double largest_step = 0.5; // in 3D, of the distance to the nearest neighbour
   static constexpr int number_of_attempts = 3;
   static constexpr double negligible_step = 1e-3; // likewise: a vertex that would move less stays
 
 public:
-  Vertex_smoother(Working_mesh& mesh, const Embedding& embedding, const Projection& projection,
+  Vertex_smoother(Mesh& mesh, const Embedding& embedding, const Projection& projection,
                   const Curve_network& curves, Interruption& interruption)
     : m_mesh(mesh), m_embedding(embedding), m_projection(projection), m_curves(curves), m_interruption(interruption)
   {
@@ -52,15 +56,15 @@ public:
   // one simultaneous step of the share `ratio` of the vertices with the smallest angles in the embedding
   void operator()(const double ratio = 1) const
   {
-    Simultaneous_moves moves(m_mesh);
+    Simultaneous_moves<Mesh> moves(m_mesh);
     std::vector<double> shifts(vertex_capacity(m_mesh), 0.);
     const std::vector<char> is_chosen = choose(ratio);
-    moves.propose<ConcurrencyTag>(
+    moves.template propose<ConcurrencyTag>(
         [&](const Vertex_index v) { return (is_chosen.empty() || is_chosen[v]) && !m_mesh.point(v).is_fixed; },
-        [&](const Vertex_index v, Vertex_state& state)
+        [&](const Vertex_index v, Vertex& state)
         { return state.is_on_curve ? slide(v, state, shifts[v]) : move(v, state); },
         m_interruption);
-    moves.revert_folds<ConcurrencyTag>(m_interruption);
+    moves.template revert_folds<ConcurrencyTag>(m_interruption);
     if (m_interruption.ask())
       return; // not all have been moved, or looked at
     for (const Vertex_index v : m_mesh.vertices())
@@ -69,17 +73,6 @@ public:
   }
 
 private:
-  // two axes orthogonal to a normal
-  typedef Eigen::Matrix<double, 3, 2> Frame;
-
-  static Frame tangent_frame(const Vector& normal)
-  {
-    Frame frame;
-    frame.col(0) = normal.unitOrthogonal();
-    frame.col(1) = normal.cross(frame.col(0));
-    return frame;
-  }
-
   // empty for all
   std::vector<char> choose(const double ratio) const
   {
@@ -106,7 +99,7 @@ private:
       if (m_mesh.is_border(h))
         continue;
       const Triangle t(h, m_mesh);
-      const Vertex_state &a = m_mesh.point(t.a), &b = m_mesh.point(t.b), &c = m_mesh.point(t.c);
+      const Vertex &a = m_mesh.point(t.a), &b = m_mesh.point(t.b), &c = m_mesh.point(t.c);
       largest = (std::max)(largest, Embedded_triangle::largest_cosine(m_embedding.squared_length(a, b),
                                                                       m_embedding.squared_length(b, c),
                                                                       m_embedding.squared_length(c, a)));
@@ -114,7 +107,7 @@ private:
     return largest;
   }
 
-  void accept(const Vertex_index v, const Vertex_state& state, const double shift) const
+  void accept(const Vertex_index v, const Vertex& state, const double shift) const
   {
     m_mesh.point(v) = state;
     if (!state.is_on_curve)
@@ -138,7 +131,7 @@ private:
 
   // along the curve, to where both edges of it have the same length in the embedding; `shift` goes along the halfedge that
   // `curve_halfedge()` finds
-  bool slide(const Vertex_index v, Vertex_state& state, double& shift) const
+  bool slide(const Vertex_index v, Vertex& state, double& shift) const
   {
     const Halfedge_index in = curve_halfedge(v), out = Curve_network::next_on_curve(in, m_mesh);
     const double length_before = std::sqrt(m_embedding.squared_length(m_mesh.point(m_mesh.source(in)), state)),
@@ -151,18 +144,18 @@ private:
     shift = 0.5 * relaxation * share * way;
     state.point = m_curves.point(before.curve, before.target + shift);
     m_projection.update_normal(state);
+    m_embedding.place(state);
     return true;
   }
 
-  bool move(const Vertex_index v, Vertex_state& state) const
+  bool move(const Vertex_index v, Vertex& state) const
   {
-    const Frame frame = tangent_frame(state.normal);
-    Surroundings around;
+    const Tangent_frame frame = tangent_frame(state.normal);
+    Surroundings around{Centroid(m_embedding, state, frame)};
     if (!gather(v, state, frame, around))
       return false;
     const Eigen::Matrix2d shape_operator = around.shape_operator();
-    Eigen::Vector2d step = relaxation * m_embedding.tangential_step(frame.transpose() * around.to_point,
-                                                                    frame.transpose() * around.to_normal, shape_operator);
+    Eigen::Vector2d step = relaxation * around.centroid.tangential_step(shape_operator);
     const double length = step.norm(), radius = std::sqrt(around.squared_radius);
     if (!(length > negligible_step * radius)) // not a number, too
       return false;
@@ -171,11 +164,12 @@ private:
     // where the surface bends too much for the step, a shorter one may lead to it; a vertex that finds none stays
     for (int attempt = 0; attempt < number_of_attempts; ++attempt, step *= 0.5)
     {
-      Vertex_state moved = state;
+      Vertex moved = state;
       // the surface is an osculating paraboloid up to third order
       moved.point += frame * step - 0.5 * step.dot(shape_operator * step) * state.normal;
       if (!m_projection.find_roughly(moved, radius, 0.02 * radius))
         continue;
+      m_embedding.place(moved);
       state = moved;
       return true;
     }
@@ -185,55 +179,31 @@ private:
   // what a vertex sees of its neighbours
   struct Surroundings
   {
-    Vector to_point = Vector::Zero(), to_normal = Vector::Zero(); // to the centroid in the embedding
-    double squared_radius = 0;                                    // of the nearest neighbour
-    Eigen::Matrix3d normal_equations = Eigen::Matrix3d::Zero();
-    Eigen::Vector3d right = Eigen::Vector3d::Zero();
-
-    // the differences of the normals are S times those of the points: three unknowns, least squares
-    void add_difference(const Eigen::Vector2d& edge, const Eigen::Vector2d& change)
-    {
-      Eigen::Matrix<double, 2, 3> row;
-      row << edge[0], edge[1], 0, 0, edge[0], edge[1];
-      normal_equations += row.transpose() * row;
-      right += row.transpose() * change;
-    }
-
-    Eigen::Matrix2d shape_operator() const
-    {
-      const Eigen::Matrix3d regularised =
-          normal_equations + 1e-9 * normal_equations.trace() * Eigen::Matrix3d::Identity();
-      const Eigen::Vector3d s = regularised.inverse() * right;
-      Eigen::Matrix2d result;
-      result << s[0], s[1], s[1], s[2];
-      return result;
-    }
+    Centroid centroid;
+    Shape_operator_estimate shape_operator;
+    double squared_radius = (std::numeric_limits<double>::max)(); // of the nearest neighbour
   };
 
-  bool gather(const Vertex_index v, const Vertex_state& state, const Frame& frame, Surroundings& around) const
+  bool gather(const Vertex_index v, const Vertex& state, const Tangent_frame& frame, Surroundings& around) const
   {
     double weights = 0;
-    around.squared_radius = (std::numeric_limits<double>::max)();
     for (const Halfedge_index h : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
     {
-      const Vertex_state &a = m_mesh.point(m_mesh.source(h)), &b = m_mesh.point(m_mesh.target(m_mesh.next(h)));
-      around.add_difference(frame.transpose() * (a.point - state.point), frame.transpose() * (a.normal - state.normal));
+      const Vertex &a = m_mesh.point(m_mesh.source(h)), &b = m_mesh.point(m_mesh.target(m_mesh.next(h)));
+      const Eigen::Vector2d edge = frame.transpose() * (a.point - state.point);
+      around.shape_operator.add_neighbor(edge, frame.transpose() * (a.normal - state.normal));
+      around.centroid.add_neighbor(edge, a);
       around.squared_radius = (std::min)(around.squared_radius, (a.point - state.point).squaredNorm());
       const double weight =
           Embedded_triangle::area(m_embedding.squared_length(state, a), m_embedding.squared_length(a, b),
                                   m_embedding.squared_length(b, state));
       weights += weight;
-      around.to_point += weight * ((a.point + b.point + state.point) / 3 - state.point);
-      around.to_normal += weight * ((a.normal + b.normal + state.normal) / 3 - state.normal);
+      around.centroid.add_face(weight, a, b);
     }
-    if (!(weights > 0))
-      return false;
-    around.to_point /= weights;
-    around.to_normal /= weights;
-    return true;
+    return weights > 0;
   }
 
-  Working_mesh& m_mesh;
+  Mesh& m_mesh;
   const Embedding& m_embedding;
   const Projection& m_projection;
   const Curve_network& m_curves;

@@ -31,11 +31,14 @@ namespace internal {
 template <typename ConcurrencyTag, typename Embedding, typename Projection>
 class Edge_splitter
 {
+  typedef Working_mesh<typename Embedding::Vertex_data> Mesh;
+  typedef typename Mesh::Vertex Vertex;
+
   // guard 4: both halves are shorter than this share of the edge
   static constexpr double largest_half = 0.98;
 
 public:
-  Edge_splitter(Working_mesh& mesh, const Embedding& embedding, const Projection& projection,
+  Edge_splitter(Mesh& mesh, const Embedding& embedding, const Projection& projection,
                 const Curve_network& curves, Interruption& interruption)
     : m_mesh(mesh), m_embedding(embedding), m_projection(projection), m_curves(curves), m_interruption(interruption)
   {
@@ -66,7 +69,7 @@ private:
   {
     double squared_length = 0;
     Edge_index edge;
-    Vertex_state middle;
+    Vertex middle;
     bool is_good = false;
   };
 
@@ -98,25 +101,26 @@ private:
   void place_middle(Candidate& candidate) const
   {
     const Halfedge_index h = m_mesh.halfedge(candidate.edge);
-    const Vertex_state &a = m_mesh.point(m_mesh.source(h)), &b = m_mesh.point(m_mesh.target(h));
+    const Vertex &a = m_mesh.point(m_mesh.source(h)), &b = m_mesh.point(m_mesh.target(h));
     if (m_mesh.is_on_curve(candidate.edge))
       place_on_curve(m_mesh.arc(h), candidate.middle);
     else
       place_on_surface(a, b, candidate.middle);
+    m_embedding.place_between(a, b, candidate.middle);
     const double largest = largest_half * largest_half * candidate.squared_length;
     candidate.is_good = m_embedding.squared_length(a, candidate.middle) < largest &&
                         m_embedding.squared_length(candidate.middle, b) < largest &&
                         candidate.middle.normal.dot(a.normal + b.normal) > 0;
   }
 
-  void place_on_curve(const Curve_arc& arc, Vertex_state& middle) const
+  void place_on_curve(const Curve_arc& arc, Vertex& middle) const
   {
     middle.is_on_curve = true;
     middle.point = m_curves.point(arc.curve, 0.5 * (arc.source + arc.target));
     m_projection.update_normal(middle);
   }
 
-  void place_on_surface(const Vertex_state& a, const Vertex_state& b, Vertex_state& middle) const
+  void place_on_surface(const Vertex& a, const Vertex& b, Vertex& middle) const
   {
     const Vector edge = b.point - a.point;
     middle.point = 0.5 * (a.point + b.point);
@@ -134,12 +138,12 @@ private:
     return is_allowed(h, candidate.middle) && is_allowed(m_mesh.opposite(h), candidate.middle);
   }
 
-  bool is_allowed(const Halfedge_index h, const Vertex_state& middle) const
+  bool is_allowed(const Halfedge_index h, const Vertex& middle) const
   {
     if (m_mesh.is_border(h))
       return true;
     const Triangle t(h, m_mesh);
-    const Vertex_state &a = m_mesh.point(t.a), &b = m_mesh.point(t.b), &c = m_mesh.point(t.c);
+    const Vertex &a = m_mesh.point(t.a), &b = m_mesh.point(t.b), &c = m_mesh.point(t.c);
     const double before = Face_guard::quality(a, b, c);
     return Face_guard::accepts(Face_guard::quality(a, middle, c), before) &&
            Face_guard::accepts(Face_guard::quality(middle, b, c), before);
@@ -169,7 +173,7 @@ private:
     m_mesh.set_input_face(m_mesh.face(m_mesh.opposite(between)), input_face);
   }
 
-  Working_mesh& m_mesh;
+  Mesh& m_mesh;
   const Embedding& m_embedding;
   const Projection& m_projection;
   const Curve_network& m_curves;

@@ -95,7 +95,7 @@ New_elements<Surface_mesh<Point>> add_elements(const std::size_t number_of_verti
 
 // Replaces the remeshed faces of the caller's mesh. What it does not replace keeps its descriptors: all outside of these faces,
 // the fixed vertices, and the edges that must not be touched.
-template <typename ConcurrencyTag, typename TriangleMesh, typename VertexPointMap, typename Constraints>
+template <typename ConcurrencyTag, typename Mesh, typename TriangleMesh, typename VertexPointMap, typename Constraints>
 class Mesh_storer
 {
   typedef boost::graph_traits<TriangleMesh> Graph_traits;
@@ -105,7 +105,7 @@ class Mesh_storer
   typedef typename Graph_traits::face_descriptor Face;
 
 public:
-  Mesh_storer(const Working_mesh& mesh, const Mesh_origin<TriangleMesh>& origin, TriangleMesh& tmesh,
+  Mesh_storer(const Mesh& mesh, const Mesh_origin<TriangleMesh>& origin, TriangleMesh& tmesh,
               const VertexPointMap vpm, const Constraints& constraints)
     : m_mesh(mesh), m_origin(origin), m_tmesh(tmesh), m_vpm(vpm), m_constraints(constraints),
       m_vertices(vertex_capacity(mesh)), m_halfedges(mesh.num_halfedges(), Graph_traits::null_halfedge())
@@ -347,7 +347,7 @@ private:
     }
   }
 
-  const Working_mesh& m_mesh;
+  const Mesh& m_mesh;
   const Mesh_origin<TriangleMesh>& m_origin;
   TriangleMesh& m_tmesh;
   const VertexPointMap m_vpm;

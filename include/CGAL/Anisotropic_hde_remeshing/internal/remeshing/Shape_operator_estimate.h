@@ -1,0 +1,66 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+#ifndef CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_SHAPE_OPERATOR_ESTIMATE_H
+#define CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_SHAPE_OPERATOR_ESTIMATE_H
+
+#include <CGAL/license/Anisotropic_hde_remeshing.h>
+
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Jet.h>
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+
+namespace CGAL {
+namespace Anisotropic_hde_remeshing {
+namespace internal {
+
+// two axes orthogonal to a normal
+typedef Eigen::Matrix<double, 3, 2> Tangent_frame;
+
+inline Tangent_frame tangent_frame(const Vector& normal)
+{
+  Tangent_frame frame;
+  frame.col(0) = normal.unitOrthogonal();
+  frame.col(1) = normal.cross(frame.col(0));
+  return frame;
+}
+
+// The shape operator S at a vertex, in a tangent frame, from the neighbours: the differences of their normals are S times those
+// of their points; three unknowns, least squares.
+class Shape_operator_estimate
+{
+public:
+  void add_neighbor(const Eigen::Vector2d& edge, const Eigen::Vector2d& change_of_normal)
+  {
+    Eigen::Matrix<double, 2, 3> row;
+    row << edge[0], edge[1], 0, 0, edge[0], edge[1];
+    m_normal_equations += row.transpose() * row;
+    m_right += row.transpose() * change_of_normal;
+  }
+
+  Eigen::Matrix2d operator()() const
+  {
+    const Eigen::Matrix3d regularised =
+        m_normal_equations + 1e-9 * m_normal_equations.trace() * Eigen::Matrix3d::Identity();
+    const Eigen::Vector3d s = regularised.inverse() * m_right;
+    Eigen::Matrix2d result;
+    result << s[0], s[1], s[1], s[2];
+    return result;
+  }
+
+private:
+  Eigen::Matrix3d m_normal_equations = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d m_right = Eigen::Vector3d::Zero();
+};
+
+} // namespace internal
+} // namespace Anisotropic_hde_remeshing
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_SHAPE_OPERATOR_ESTIMATE_H
