@@ -12,7 +12,7 @@
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
 #include <CGAL/Anisotropic_hde_remeshing/Measures.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/evaluation.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/measures/Curvature_by_differences.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/measures/Measured_mesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/named_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
@@ -48,36 +48,6 @@ struct Stretch
     direction = solver.eigenvectors().col(2);
     const double shorter = solver.eigenvalues()[1];
     ratio = shorter > 0 ? std::sqrt(solver.eigenvalues()[2] / shorter) : 1.;
-  }
-};
-
-// The direction of the smaller absolute curvature of the level set through p, and both curvatures, by central differences of
-// the unit normal: any function has a gradient.
-struct Curvature_direction
-{
-  Vector direction = Vector::Zero();
-  double smaller = 0, larger = 0; // absolute values
-
-  template <typename Function>
-  Curvature_direction(const Function& function, const Vector& p, const double step)
-  {
-    const auto normal_at = [&](const Vector& q) { return gradient_of(function, q).stableNormalized(); };
-    const Vector normal = normal_at(p);
-    if (!(normal.squaredNorm() > 0.5)) // the gradient vanishes or is not finite
-      return;
-    Eigen::Matrix<double, 3, 2> frame;
-    frame.col(0) = normal.unitOrthogonal();
-    frame.col(1) = normal.cross(frame.col(0));
-    Eigen::Matrix2d shape_operator;
-    for (int k = 0; k < 2; ++k)
-      shape_operator.col(k) =
-          frame.transpose() * (normal_at(p + step * frame.col(k)) - normal_at(p - step * frame.col(k))) / (2 * step);
-    Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(0.5 * (shape_operator + shape_operator.transpose()));
-    const Eigen::Vector2d curvatures = solver.eigenvalues().cwiseAbs();
-    const int flatter = curvatures[0] <= curvatures[1] ? 0 : 1;
-    direction = frame * solver.eigenvectors().col(flatter);
-    smaller = curvatures[flatter];
-    larger = curvatures[1 - flatter];
   }
 };
 
@@ -126,9 +96,9 @@ Alignment_measures measure_alignment(const TriangleMesh& tmesh, const Function& 
           return;
         const double step =
             relative_step * std::sqrt((std::min)({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
-        const internal::Curvature_direction curvature(f, (a + b + c) / 3, step);
-        if (curvature.larger > 0 && curvature.larger >= smallest_ratio * curvature.smaller)
-          angles[i] = std::acos((std::min)(std::abs(stretch.direction.dot(curvature.direction)), 1.)) * 180 / CGAL_PI;
+        const internal::Curvature_by_differences curvature(f, (a + b + c) / 3, step);
+        if (curvature.steeper != 0 && std::abs(curvature.steeper) >= smallest_ratio * std::abs(curvature.flatter))
+          angles[i] = std::acos((std::min)(std::abs(stretch.direction.dot(curvature.flatter_direction)), 1.)) * 180 / CGAL_PI;
       });
   Alignment_measures measures;
   for (const double angle : angles)

@@ -22,6 +22,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/reorder_mesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/smooth_vertices.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/split_edges.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/update_metric.h>
 
 #include <algorithm>
 #include <cmath>
@@ -66,12 +67,22 @@ class Remesher
 
 public:
   Remesher(Mesh& mesh, const Embedding& embedding, const Projection& projection, const Curve_network& curves,
-           const Remeshing_parameters& parameters, Visitor& visitor, Interruption& interruption, Remeshing_result& result)
-    : m_mesh(mesh), m_embedding(embedding), m_projection(projection), m_parameters(parameters), m_visitor(visitor),
+           const Remeshing_parameters& parameters, const double diagonal, Visitor& visitor, Interruption& interruption,
+           Remeshing_result& result)
+    : m_mesh(mesh), m_embedding(embedding), m_projection(projection), m_parameters(parameters), m_diagonal(diagonal), m_visitor(visitor),
       m_interruption(interruption), m_result(result), m_split(mesh, embedding, projection, curves, interruption),
       m_collapse(mesh, embedding, interruption), m_flip(mesh, embedding, interruption),
       m_smooth(mesh, embedding, projection, curves, interruption)
   {
+  }
+
+  // The target length follows from the mesh, and so does a metric that follows from the curvature. Its bounds refer to the
+  // target length: the first time it has none.
+  void update(Target_length& target)
+  {
+    if constexpr (is_metric<Embedding>)
+      Metric_updater<ConcurrencyTag, Mesh, Embedding>(m_mesh, m_embedding, m_diagonal, target.length(), m_interruption)();
+    target.update(m_mesh, m_embedding);
   }
 
   // `target` is up to date
@@ -89,7 +100,7 @@ public:
         break;
       if (m_iteration == 0)
         reorder_in_space<ConcurrencyTag>(m_mesh, m_interruption); // most of the vertices that there will be are there
-      target.update(m_mesh, m_embedding);
+      update(target);
       report(1);
     }
     m_result.target_edge_length = target.length();
@@ -291,6 +302,7 @@ private:
   const Embedding& m_embedding;
   const Projection& m_projection;
   const Remeshing_parameters m_parameters;
+  const double m_diagonal; // of the mesh
   Visitor& m_visitor;
   Interruption& m_interruption;
   Remeshing_result& m_result;

@@ -68,7 +68,7 @@ void remesh(Working_mesh<typename Embedding::Vertex_data>& mesh, const Embedding
     reorder_in_space<ConcurrencyTag>(mesh, interruption);
   const Curve_network curves(mesh);
   Projection projection(function, input, exact_distance * diagonal / unit, unit);
-  Remesher remesher(mesh, embedding, projection, curves, parameters, visitor, interruption, result);
+  Remesher remesher(mesh, embedding, projection, curves, parameters, diagonal / unit, visitor, interruption, result);
   remesher.project_input();
   if (orientation(mesh) < 0)
   {
@@ -84,7 +84,9 @@ void remesh(Working_mesh<typename Embedding::Vertex_data>& mesh, const Embedding
   visitor.stage_started(Stage::REMESHING);
   const double unit_of_lengths = embedding.unit_of_lengths(unit);
   Target_length target = target_length(np, embedding.unit_of_lengths(diagonal), unit_of_lengths, mesh.number_of_faces());
-  target.update(mesh, embedding);
+  remesher.update(target);
+  if (is_metric<Embedding>)
+    remesher.update(target);
   check_number_of_faces(target, unit_of_lengths);
   remesher.run(target);
   result.target_edge_length *= unit_of_lengths;

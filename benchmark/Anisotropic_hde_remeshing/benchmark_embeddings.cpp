@@ -1,0 +1,106 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+// How near meshes come to a surface that is known exactly, by embedding:
+//
+//   benchmark_embeddings ellipsoid|torus FACES EMBEDDING...
+//
+// `ellipsoid` is an icosphere of level 6 scaled by 1, 2 and 5; `torus` has the radii 1 and 1/4 and 65,536 vertices. An EMBEDDING is
+// a number, sigma of the paper's embedding as a fraction of the diagonal D; `auto`, the adaptive one; or `p` and a number or
+// `inf`, the metric of the curvature. Distances are printed over D and, in brackets, over the asymptotic bound; normals in degrees.
+
+#include "exact_surfaces.h"
+#include "seconds_of.h"
+#include "shapes.h"
+
+#include <CGAL/Anisotropic_hde_remeshing/Curvature_metric.h>
+#include <CGAL/Anisotropic_hde_remeshing/approximation_bounds.h>
+#include <CGAL/Anisotropic_hde_remeshing/distance_measures.h>
+#include <CGAL/Anisotropic_hde_remeshing/quality_measures.h>
+#include <CGAL/Anisotropic_hde_remeshing/zero_set_measures.h>
+#include <CGAL/anisotropic_hde_remeshing.h>
+
+#include <cstddef>
+#include <cstdlib>
+#include <exception>
+#include <algorithm>
+#include <iomanip>
+#include <iostream>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+using namespace shapes;
+
+namespace Hde = CGAL::Anisotropic_hde_remeshing;
+
+typedef CGAL::Parallel_if_available_tag Tag;
+
+// `fine` stands for the surface where its points are to be near the mesh
+template <typename Function, typename Distance, typename Embedding>
+void run(const Mesh& input, const Mesh& fine, const Function& function, const Distance& exact, const std::size_t faces,
+         const std::string& name, const Embedding& embedding)
+{
+  Mesh mesh = input;
+  Hde::Remeshing_result result;
+  const double seconds = seconds_of(
+      [&]
+      {
+        result = CGAL::anisotropic_hde_remeshing<Tag>(
+            mesh, function, CGAL::parameters::embedding(embedding).number_of_target_faces(faces));
+      });
+  const double diagonal = bounding_box_diagonal(fine);
+  const Hde::Topology_measures topology = Hde::measure_topology(mesh);
+  const Hde::Zero_set_measures from_faces = Hde::measure_distance_to_zero_set<Tag>(mesh, exact);
+  const Hde::Distance_measures both = Hde::measure_distance<Tag>(fine, mesh);
+  const Hde::Approximation_bounds bounds = Hde::approximation_bounds<Tag>(mesh, exact);
+  const double rms = (std::max)(from_faces.face_rms, both.rms_from_first),
+               max = (std::max)(from_faces.face_max, both.max_from_first);
+  std::cout << std::setw(8) << name << std::setw(8) << mesh.number_of_faces() << std::scientific << std::setprecision(2)
+            << "  rms " << rms / diagonal << std::fixed << " (" << rms / bounds.rms_on_surface << ", free "
+            << rms / bounds.rms_off_surface << ")" << std::scientific << "  max " << max / diagonal << std::fixed << " ("
+            << max / bounds.max_on_surface << ")  normals " << std::setprecision(3) << normal_deviation(mesh, exact)
+            << "  folds " << Hde::measure_embedding(mesh, exact).number_of_folded_faces << "  valence 6 "
+            << topology.valence_6_share << std::setprecision(2) << "  " << seconds << " s" << std::endl;
+}
+
+template <typename Function, typename Distance>
+void run(const Mesh& input, const Mesh& fine, const Function& function, const Distance& exact, const std::size_t faces,
+         const std::string& name)
+{
+  if (name == "auto")
+    run(input, fine, function, exact, faces, name, Hde::Adaptive_normal_embedding());
+  else if (name[0] == 'p')
+    run(input, fine, function, exact, faces, name, Hde::Curvature_metric(std::stod(name.substr(1))));
+  else
+    run(input, fine, function, exact, faces, name, Hde::Normal_embedding(std::stod(name) * bounding_box_diagonal(input)));
+}
+
+int main(int argc, char* argv[])
+{
+  try
+  {
+    if (argc < 4)
+      throw std::invalid_argument("usage: benchmark_embeddings ellipsoid|torus FACES EMBEDDING...");
+    const std::string shape = argv[1];
+    const std::size_t faces = std::stoul(argv[2]);
+    for (int i = 3; i < argc; ++i)
+      if (shape == "ellipsoid")
+        run(ellipsoid(6), ellipsoid(7), Ellipsoid_function(), Ellipsoid_distance(), faces, argv[i]);
+      else if (shape == "torus")
+        run(torus(512, 128), torus(1024, 256), Torus_function(), Torus_function(), faces, argv[i]);
+      else
+        throw std::invalid_argument("there is no shape " + shape);
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << error.what() << std::endl;
+    return EXIT_FAILURE;
+  }
+  return EXIT_SUCCESS;
+}

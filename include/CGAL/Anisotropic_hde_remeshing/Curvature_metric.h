@@ -1,0 +1,208 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+#ifndef CGAL_ANISOTROPIC_HDE_REMESHING_CURVATURE_METRIC_H
+#define CGAL_ANISOTROPIC_HDE_REMESHING_CURVATURE_METRIC_H
+
+#include <CGAL/license/Anisotropic_hde_remeshing.h>
+
+#include <CGAL/Anisotropic_hde_remeshing/internal/check_parameters.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Metric_tensor.h>
+
+#include <Eigen/Core>
+#include <Eigen/Eigenvalues>
+
+#include <cmath>
+#include <limits>
+
+namespace CGAL {
+namespace Anisotropic_hde_remeshing {
+
+/*!
+\ingroup PkgAnisotropicHdeRemeshingRef
+
+how far a metric that follows from the curvature may go
+*/
+struct Metric_bounds
+{
+  double shortest_edge = 1e-4; ///< no edge needs to be shorter, as a share of the diagonal of the bounding box of the mesh
+  double longest_edge = 0.25;  ///< no edge shall be longer, likewise
+  double gradation = 1.5;      ///< by what factor the lengths that the metric asks of neighbouring edges may differ, above 1
+};
+
+namespace internal {
+
+// What the embeddings by a metric have in common; `Metric` has the metric of the plane that belongs to a shape operator.
+template <typename Metric>
+class Metric_embedding
+{
+public:
+  struct Vertex_data : Metric_tensor
+  {
+  };
+
+  explicit Metric_embedding(const Metric_bounds& bounds) : m_bounds(bounds)
+  {
+    checked_between("shortest_edge", bounds.shortest_edge, 0, 1);
+    checked_positive("longest_edge", bounds.longest_edge);
+    if (!(bounds.shortest_edge < bounds.longest_edge))
+      throw_invalid_argument("longest_edge", bounds.longest_edge, "longer than shortest_edge");
+    if (!(bounds.gradation > 1))
+      throw_invalid_argument("gradation", bounds.gradation, "above 1");
+  }
+
+  double shortest_edge() const { return m_bounds.shortest_edge; }
+  double longest_edge() const { return m_bounds.longest_edge; }
+  double gradation() const { return m_bounds.gradation; }
+
+  // the metric follows from the curvature around vertices only once they have neighbours
+  void place(Vertex_data&) const {}
+
+  template <typename Vertex>
+  void place_between(const Vertex& a, const Vertex& b, Vertex& middle) const
+  {
+    static_cast<Metric_tensor&>(middle) = Metric_tensor::mean(a, b);
+  }
+
+  // by the mean of the metrics at the ends
+  template <typename Vertex>
+  double squared_length(const Vertex& a, const Vertex& b) const
+  {
+    return Metric_tensor::mean(a, b).squared_length(b.point - a.point);
+  }
+
+  // in space: the centroid of a triangle is the same in all metrics that are constant
+  template <typename Vertex>
+  class Centroid
+  {
+  public:
+    Centroid(const Metric_embedding&, const Vertex& center, const Eigen::Matrix<double, 3, 2>& frame)
+      : m_center(center), m_frame(frame)
+    {
+    }
+
+    void add_neighbor(const Eigen::Vector2d&, const Vertex&) {}
+
+    void add_face(const double weight, const Vertex& a, const Vertex& b)
+    {
+      m_weight += weight;
+      m_in_space += weight * ((a.point + b.point + m_center.point) / 3 - m_center.point);
+    }
+
+    Eigen::Vector2d tangential_step(const Eigen::Matrix2d&) const { return m_frame.transpose() * m_in_space / m_weight; }
+
+  private:
+    const Vertex& m_center;
+    const Eigen::Matrix<double, 3, 2>& m_frame;
+    Eigen::Vector3d m_in_space = Eigen::Vector3d::Zero();
+    double m_weight = 0;
+  };
+
+private:
+  Metric_bounds m_bounds;
+};
+
+} // namespace internal
+
+/*!
+\ingroup PkgAnisotropicHdeRemeshingRef
+
+The metric in which a uniform mesh with vertices on the surface has the least distance from it in the \f$ L^p \f$ norm, for its
+number of faces: \f$ M_p = \det |S|^{-1/(2p+2)} |S| \f$ with the absolute value \f$ |S| \f$ of the shape operator (Cao,
+On the error of linear interpolation and the orientation, aspect ratio, and internal angles of a triangle, SIAM J. Numer. Anal.
+43, 2005; Loseille and Alauzet, Continuous mesh framework, SIAM J. Numer. Anal. 49, 2011). For \f$ p = \infty \f$, \f$ |S| \f$
+itself, edges of length \f$ \sqrt{6 \varepsilon} \f$ make the largest distance about \f$ \varepsilon \f$ where the surface is curved to one side.
+
+Curvatures smaller than that of a sphere about five times as large as the surface are raised smoothly, lengths are bounded, and the
+metric changes but so fast; see `Metric_bounds`. The curvature at a vertex is estimated from the normals of its neighbours.
+
+A length in this metric has the unit of space to the power of \f$ 1/2 + 1 / (2p + 2) \f$.
+
+\cgalModels `RemeshingEmbedding`
+*/
+class Curvature_metric : public internal::Metric_embedding<Curvature_metric>
+{
+  typedef internal::Metric_embedding<Curvature_metric> Base;
+
+public:
+  /// \param p the norm, from 1 to infinity
+  /// \param bounds see there
+  /// \throw std::invalid_argument if `p` is less than 1 or not a number, or the bounds are out of their ranges
+  explicit Curvature_metric(const double p = 2, const Metric_bounds& bounds = Metric_bounds()) : Base(bounds), m_p(p)
+  {
+    if (!(p >= 1))
+      internal::throw_invalid_argument("p", p, "from 1 to infinity");
+  }
+
+  double p() const { return m_p; }
+
+  /// the same for a mesh in another unit of length: the curvature at its vertices is in that unit anyway
+  Curvature_metric in_unit(double) const { return *this; }
+
+  /// by what lengths in the metric are divided in another unit of length
+  double unit_of_lengths(const double unit) const { return std::pow(unit, 0.5 - exponent()); }
+
+  /// \f$ M_p \f$ in the frame of the shape operator, in the inverse of a unit in which the surface has about the size 1
+  Eigen::Matrix2d of_shape_operator(const Eigen::Matrix2d& shape_operator) const
+  {
+    static constexpr double smallest_curvature = 0.2;
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver;
+    solver.computeDirect(shape_operator);
+    const Eigen::Vector2d curvatures = (solver.eigenvalues().array().square() + smallest_curvature * smallest_curvature).sqrt();
+    const Eigen::Matrix2d absolute = solver.eigenvectors() * curvatures.asDiagonal() * solver.eigenvectors().transpose();
+    return std::pow(curvatures[0] * curvatures[1], exponent()) * absolute;
+  }
+
+private:
+  // of the determinant
+  double exponent() const { return std::isinf(m_p) ? 0. : -1 / (2 * m_p + 2); }
+
+  double m_p;
+};
+
+/*!
+\ingroup PkgAnisotropicHdeRemeshingRef
+
+The paper's embedding with a weight of the normals that follows the curvature, \f$ \sigma(x) = 1 / \sqrt{|K|} \f$ with the Gauss
+curvature \f$ K \f$: the metric \f$ I + \sigma(x)^2 S^2 \f$, in which edges have about the ratio of lengths that is best for
+the distance to the surface, \f$ \sqrt{k_1 / k_2} \f$, everywhere, and the sizes of faces hardly differ. It has no parameter and
+needs no scale. Regularised and bounded as `Curvature_metric`.
+
+\cgalModels `RemeshingEmbedding`
+*/
+class Adaptive_normal_embedding : public internal::Metric_embedding<Adaptive_normal_embedding>
+{
+  typedef internal::Metric_embedding<Adaptive_normal_embedding> Base;
+
+public:
+  /// \param bounds see there
+  /// \throw std::invalid_argument if the bounds are out of their ranges
+  explicit Adaptive_normal_embedding(const Metric_bounds& bounds = Metric_bounds()) : Base(bounds) {}
+
+  /// the same for a mesh in another unit of length: the curvature at its vertices is in that unit anyway
+  Adaptive_normal_embedding in_unit(double) const { return *this; }
+
+  /// by what lengths in the metric are divided in another unit of length: the unit itself
+  double unit_of_lengths(const double unit) const { return unit; }
+
+  /// \f$ I + \sigma^2 S^2 \f$ in the frame of the shape operator, in the inverse of a unit in which the surface has about the
+  /// size 1
+  Eigen::Matrix2d of_shape_operator(const Eigen::Matrix2d& shape_operator) const
+  {
+    static constexpr double smallest_curvature = 0.2, smallest_ratio = 0.01; // of curvatures
+    const Eigen::Matrix2d square = shape_operator * shape_operator;
+    const double gauss_curvature = std::abs(shape_operator.determinant());
+    return Eigen::Matrix2d::Identity() +
+           square / (gauss_curvature + smallest_ratio * square.trace() + smallest_curvature * smallest_curvature);
+  }
+};
+
+} // namespace Anisotropic_hde_remeshing
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_HDE_REMESHING_CURVATURE_METRIC_H
