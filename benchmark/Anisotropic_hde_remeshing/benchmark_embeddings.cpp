@@ -8,9 +8,10 @@
 
 // How near meshes come to a surface that is known exactly, by embedding:
 //
-//   benchmark_embeddings ellipsoid|torus FACES EMBEDDING...
+//   benchmark_embeddings ellipsoid|torus|MESH FACES EMBEDDING...
 //
-// `ellipsoid` is an icosphere of level 6 scaled by 1, 2 and 5; `torus` has the radii 1 and 1/4 and 65,536 vertices. An EMBEDDING is
+// `ellipsoid` is an icosphere of level 6 scaled by 1, 2 and 5; `torus` has the radii 1 and 1/4 and 65,536 vertices; a
+// MESH is a file, remeshed through its RBF, from whose zero set distances are measured. An EMBEDDING is
 // a number, sigma of the paper's embedding as a fraction of the diagonal D; `auto`, the adaptive one; or `p` and a number or
 // `inf`, the metric of the curvature. Distances are printed over D and, in brackets, over the asymptotic bound; normals in degrees.
 
@@ -23,7 +24,11 @@
 #include <CGAL/Anisotropic_hde_remeshing/distance_measures.h>
 #include <CGAL/Anisotropic_hde_remeshing/quality_measures.h>
 #include <CGAL/Anisotropic_hde_remeshing/zero_set_measures.h>
+#include <CGAL/Rbf_implicit_function.h>
 #include <CGAL/anisotropic_hde_remeshing.h>
+
+#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#include <CGAL/Polygon_mesh_processing/repair.h>
 
 #include <cstddef>
 #include <cstdlib>
@@ -38,6 +43,8 @@
 using namespace shapes;
 
 namespace Hde = CGAL::Anisotropic_hde_remeshing;
+
+namespace PMP = CGAL::Polygon_mesh_processing;
 
 typedef CGAL::Parallel_if_available_tag Tag;
 
@@ -86,16 +93,28 @@ int main(int argc, char* argv[])
   try
   {
     if (argc < 4)
-      throw std::invalid_argument("usage: benchmark_embeddings ellipsoid|torus FACES EMBEDDING...");
+      throw std::invalid_argument("usage: benchmark_embeddings ellipsoid|torus|MESH FACES EMBEDDING...");
     const std::string shape = argv[1];
     const std::size_t faces = std::stoul(argv[2]);
-    for (int i = 3; i < argc; ++i)
-      if (shape == "ellipsoid")
-        run(ellipsoid(6), ellipsoid(7), Ellipsoid_function(), Ellipsoid_distance(), faces, argv[i]);
-      else if (shape == "torus")
-        run(torus(512, 128), torus(1024, 256), Torus_function(), Torus_function(), faces, argv[i]);
-      else
-        throw std::invalid_argument("there is no shape " + shape);
+    const auto run_all = [&](const Mesh& input, const Mesh& fine, const auto& function, const auto& exact)
+    {
+      for (int i = 3; i < argc; ++i)
+        run(input, fine, function, exact, faces, argv[i]);
+    };
+    if (shape == "ellipsoid")
+      run_all(ellipsoid(6), ellipsoid(7), Ellipsoid_function(), Ellipsoid_distance());
+    else if (shape == "torus")
+      run_all(torus(512, 128), torus(1024, 256), Torus_function(), Torus_function());
+    else
+    {
+      Mesh input;
+      if (!PMP::IO::read_polygon_mesh(shape, input))
+        throw std::invalid_argument("cannot read " + shape);
+      PMP::remove_isolated_vertices(input);
+      input.collect_garbage();
+      const CGAL::Rbf_implicit_function<Kernel> function(input);
+      run_all(input, input, function, function);
+    }
   }
   catch (const std::exception& error)
   {

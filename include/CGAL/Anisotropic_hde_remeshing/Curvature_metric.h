@@ -153,12 +153,27 @@ public:
     static constexpr double smallest_curvature = 0.2;
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver;
     solver.computeDirect(shape_operator);
-    const Eigen::Vector2d curvatures = (solver.eigenvalues().array().square() + smallest_curvature * smallest_curvature).sqrt();
-    const Eigen::Matrix2d absolute = solver.eigenvectors() * curvatures.asDiagonal() * solver.eigenvectors().transpose();
-    return std::pow(curvatures[0] * curvatures[1], exponent()) * absolute;
+    const Eigen::Vector2d curvatures = solver.eigenvalues(),
+                          absolute = (curvatures.array().square() + smallest_curvature * smallest_curvature).sqrt();
+    const double weight = distance_constant(curvatures[0] / absolute[0], curvatures[1] / absolute[1]);
+    const Eigen::Vector2d eigenvalues =
+        std::pow(weight, 1 + 2 * exponent()) * std::pow(absolute[0] * absolute[1], exponent()) * absolute;
+    return solver.eigenvectors() * eigenvalues.asDiagonal() * solver.eigenvectors().transpose();
   }
 
 private:
+  // The distance between a triangle that is equilateral in |S| and a surface with the curvatures r |k|, r from -1 to 1, relative
+  // to r = 1. Root mean square, exactly: with the heights q_i of the quadratic form over the edges it is
+  // ((sum q_i^2 + (sum q_i)^2) / 720)^(1/2). Largest: fitted to r = (1, 1), (1, -1) and (1, 0), in the mean over all directions
+  // of the triangle.
+  double distance_constant(const double r, const double s) const
+  {
+    static constexpr double smallest = 0.1;
+    if (std::isinf(m_p))
+      return smallest + (1 - smallest) * std::pow(std::pow(std::abs(r + s) / 2, 1.3) + std::pow(0.35 * std::abs(r - s), 1.3), 1 / 1.3);
+    return smallest + (1 - smallest) * std::sqrt((9. / 8 * (r * r + s * s) + 3. / 4 * r * s + 9. / 4 * (r + s) * (r + s)) / 12);
+  }
+
   // of the determinant
   double exponent() const { return std::isinf(m_p) ? 0. : -1 / (2 * m_p + 2); }
 
