@@ -13,7 +13,7 @@
 // `ellipsoid` is an icosphere of level 6 scaled by 1, 2 and 5; `torus` has the radii 1 and 1/4 and 65,536 vertices; a
 // MESH is a file, remeshed through its RBF, from whose zero set distances are measured. An EMBEDDING is
 // a number, sigma of the paper's embedding as a fraction of the diagonal D; `auto`, the adaptive one; or `p` and a number or
-// `inf`, the metric of the curvature. Distances are printed over D and, in brackets, over the asymptotic bound; normals in degrees.
+// `inf`, the metric of the curvature; with an `f` behind, the vertices are fitted to the surface in the end. Distances are printed over D and, in brackets, over the asymptotic bound; normals in degrees.
 
 #include "exact_surfaces.h"
 #include "seconds_of.h"
@@ -53,13 +53,14 @@ template <typename Function, typename Distance, typename Embedding>
 void run(const Mesh& input, const Mesh& fine, const Function& function, const Distance& exact, const std::size_t faces,
          const std::string& name, const Embedding& embedding)
 {
+  const bool is_fitted = name.back() == 'f';
   Mesh mesh = input;
   Hde::Remeshing_result result;
   const double seconds = seconds_of(
       [&]
       {
         result = CGAL::anisotropic_hde_remeshing<Tag>(
-            mesh, function, CGAL::parameters::embedding(embedding).number_of_target_faces(faces));
+            mesh, function, CGAL::parameters::embedding(embedding).number_of_target_faces(faces).fit_to_surface(is_fitted));
       });
   const double diagonal = bounding_box_diagonal(fine);
   const Hde::Topology_measures topology = Hde::measure_topology(mesh);
@@ -80,7 +81,7 @@ template <typename Function, typename Distance>
 void run(const Mesh& input, const Mesh& fine, const Function& function, const Distance& exact, const std::size_t faces,
          const std::string& name)
 {
-  if (name == "auto")
+  if (name.substr(0, 4) == "auto")
     run(input, fine, function, exact, faces, name, Hde::Adaptive_normal_embedding());
   else if (name[0] == 'p')
     run(input, fine, function, exact, faces, name, Hde::Curvature_metric(std::stod(name.substr(1))));

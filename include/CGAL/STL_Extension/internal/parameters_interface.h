@@ -41,6 +41,9 @@ CGAL_add_named_parameter(smoothing_ratio_t, smoothing_ratio, smoothing_ratio)
 CGAL_add_named_parameter(collapse_ratio_t, collapse_ratio, collapse_ratio)
 CGAL_add_named_parameter(split_ratio_t, split_ratio, split_ratio)
 CGAL_add_named_parameter(remeshing_scheme_t, remeshing_scheme, remeshing_scheme)
+CGAL_add_named_parameter(fit_to_surface_t, fit_to_surface, fit_to_surface)
+CGAL_add_named_parameter(approximation_error_t, approximation_error, approximation_error)
+CGAL_add_named_parameter(relative_approximation_error_t, relative_approximation_error, relative_approximation_error)
 CGAL_add_named_parameter(vertex_location_map_t, vertex_location_map, vertex_location_map)
 
 // List of named parameters used by the class 'Rbf_implicit_function'

@@ -13,6 +13,7 @@
 
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_result.h>
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_scheme.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/Vertex_fitter.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Target_length.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/remeshing_parameters.h>
@@ -106,9 +107,14 @@ public:
     m_result.target_edge_length = target.length();
     project_exactly();
     if (m_interruption.is_requested())
+    {
       project_the_rest();
-    else if (n > 0)
+      return;
+    }
+    if (n > 0)
       flip(Flip_criterion::ANGLE);
+    if (m_parameters.fit_to_surface)
+      fit();
   }
 
   // all vertices of the input onto the zero set but those that are fixed or stay on their polylines
@@ -139,6 +145,39 @@ private:
         },
         m_interruption);
     return moves;
+  }
+
+  // off the surface again, by least squares
+  void fit()
+  {
+    const std::size_t n = vertex_capacity(m_mesh);
+    std::vector<Vector> points(n, Vector::Zero()), normals(n, Vector::Zero());
+    std::vector<char> is_free(n, 0);
+    for (const Vertex_index v : m_mesh.vertices())
+    {
+      const Vertex& vertex = m_mesh.point(v);
+      points[v] = vertex.point;
+      normals[v] = m_projection.orientation() * vertex.normal;
+      is_free[v] = !vertex.is_on_curve && !vertex.is_fixed;
+    }
+    std::vector<Facet> facets;
+    for (const Face_index f : m_mesh.faces())
+    {
+      const Triangle t(m_mesh.halfedge(f), m_mesh);
+      facets.push_back(Facet{t.a, t.b, t.c});
+    }
+    Vertex_fitter<ConcurrencyTag, typename Projection::Function>(m_projection.function(), m_projection.unit())(
+        points, normals, is_free, facets);
+    Simultaneous_moves<Mesh> moves(m_mesh);
+    moves.template propose<ConcurrencyTag>([&](const Vertex_index v) { return bool(is_free[v]); },
+                                           [&](const Vertex_index v, Vertex& state)
+                                           {
+                                             state.point = points[v];
+                                             return true;
+                                           },
+                                           m_interruption);
+    moves.template revert_folds<ConcurrencyTag>(m_interruption);
+    accept(moves);
   }
 
   void accept(const Simultaneous_moves<Mesh>& moves)

@@ -26,9 +26,13 @@ namespace internal {
 
 // Moves points onto the zero set and gives them its normal: Newton's method along the gradient, then a bracket along the
 // first gradient, then the closest point of the input. Thread-safe; a point's result depends on nothing but the point.
-template <typename Function>
+template <typename ImplicitFunction>
 class Surface_projection
 {
+public:
+  typedef ImplicitFunction Function;
+
+private:
   static constexpr int newton_steps = 8;
   static constexpr int bisection_steps = 60;
 
@@ -44,6 +48,9 @@ public:
   // the mesh of the caller may be oriented against the gradient: then the normals are turned over
   void set_orientation(const double sign) { m_orientation = sign; }
   double orientation() const { return m_orientation; }
+
+  const Function& function() const { return m_function; }
+  double unit() const { return m_unit; }
 
   // whether `project()` would hardly move the point: from a last step of 1e-5 of the diagonal, ten thousand times the distance
   // that counts as exact, Newton's method leaves its square times a curvature, 1e-9 where that is ten over the diagonal
@@ -75,7 +82,7 @@ public:
   void update_normal(Vertex_state& state) const
   {
     Vector normal;
-    if (unit(evaluate(state.point).gradient, normal))
+    if (unit_vector(evaluate(state.point).gradient, normal))
       state.normal = m_orientation * normal;
   }
 
@@ -92,7 +99,7 @@ private:
     return result;
   }
 
-  static bool unit(const Vector& gradient, Vector& normal)
+  static bool unit_vector(const Vector& gradient, Vector& normal)
   {
     const double length = gradient.norm();
     if (!(length > 0) || !std::isfinite(length))
@@ -122,7 +129,7 @@ private:
     {
       const Value_and_gradient at_p = evaluate(p);
       Vector normal;
-      if (!std::isfinite(at_p.value) || !unit(at_p.gradient, normal))
+      if (!std::isfinite(at_p.value) || !unit_vector(at_p.gradient, normal))
         return false;
       const double signed_distance = at_p.value / at_p.gradient.norm();
       p -= signed_distance * normal;
@@ -145,7 +152,7 @@ private:
   {
     const Value_and_gradient start = evaluate(state.point);
     Vector direction;
-    if (!std::isfinite(start.value) || !unit(start.gradient, direction))
+    if (!std::isfinite(start.value) || !unit_vector(start.gradient, direction))
       return false;
     direction *= start.value > 0 ? -1. : 1.;
     double inner = 0, outer = 0;
@@ -165,7 +172,7 @@ private:
     }
     const Vector p = state.point + outer * direction;
     Vector normal;
-    if (!unit(evaluate(p).gradient, normal) || !(normal.dot(start.gradient) > 0))
+    if (!unit_vector(evaluate(p).gradient, normal) || !(normal.dot(start.gradient) > 0))
       return false;
     state.point = p;
     state.normal = m_orientation * normal;

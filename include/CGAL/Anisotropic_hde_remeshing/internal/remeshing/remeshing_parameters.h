@@ -41,6 +41,7 @@ struct Remeshing_parameters
   double smoothing_ratio = 1;
   double collapse_ratio = 0.8;
   double split_ratio = 4. / 3;
+  bool fit_to_surface = false;
 };
 
 template <typename NamedParameters, typename Name>
@@ -83,6 +84,7 @@ Remeshing_parameters remeshing_parameters(const NamedParameters& np)
       "collapse_ratio", choose_parameter(get_parameter(np, internal_np::collapse_ratio), result.collapse_ratio), 0, 1);
   result.split_ratio = checked_between(
       "split_ratio", choose_parameter(get_parameter(np, internal_np::split_ratio), result.split_ratio), 1, 100);
+  result.fit_to_surface = choose_parameter(get_parameter(np, internal_np::fit_to_surface), false);
   return result;
 }
 
