@@ -13,7 +13,8 @@
 // `ellipsoid` is an icosphere of level 6 scaled by 1, 2 and 5; `torus` has the radii 1 and 1/4 and 65,536 vertices; a
 // MESH is a file, remeshed through its RBF, from whose zero set distances are measured. An EMBEDDING is
 // a number, sigma of the paper's embedding as a fraction of the diagonal D; `auto`, the adaptive one; or `p` and a number or
-// `inf`, the metric of the curvature; with an `f` behind, the vertices are fitted to the surface in the end. Distances are printed over D and, in brackets, over the asymptotic bound; normals in degrees.
+// `inf`, the metric of the curvature; with an `f` behind, the vertices are fitted to the surface in the end; or `e` and a number, the error
+// asked for as a fraction of D, whatever FACES is. Distances are printed over D and, in brackets, over the asymptotic bound; normals in degrees.
 
 #include "exact_surfaces.h"
 #include "seconds_of.h"
@@ -49,18 +50,16 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 typedef CGAL::Parallel_if_available_tag Tag;
 
 // `fine` stands for the surface where its points are to be near the mesh
-template <typename Function, typename Distance, typename Embedding>
-void run(const Mesh& input, const Mesh& fine, const Function& function, const Distance& exact, const std::size_t faces,
-         const std::string& name, const Embedding& embedding)
+template <typename Function, typename Distance, typename NamedParameters>
+void run(const Mesh& input, const Mesh& fine, const Function& function, const Distance& exact, const std::string& name,
+         const NamedParameters& np)
 {
-  const bool is_fitted = name.back() == 'f';
   Mesh mesh = input;
   Hde::Remeshing_result result;
   const double seconds = seconds_of(
       [&]
       {
-        result = CGAL::anisotropic_hde_remeshing<Tag>(
-            mesh, function, CGAL::parameters::embedding(embedding).number_of_target_faces(faces).fit_to_surface(is_fitted));
+        result = CGAL::anisotropic_hde_remeshing<Tag>(mesh, function, np);
       });
   const double diagonal = bounding_box_diagonal(fine);
   const Hde::Topology_measures topology = Hde::measure_topology(mesh);
@@ -74,19 +73,31 @@ void run(const Mesh& input, const Mesh& fine, const Function& function, const Di
             << rms / bounds.rms_off_surface << ")" << std::scientific << "  max " << max / diagonal << std::fixed << " ("
             << max / bounds.max_on_surface << ")  normals " << std::setprecision(3) << normal_deviation(mesh, exact)
             << "  folds " << Hde::measure_embedding(mesh, exact).number_of_folded_faces << "  valence 6 "
-            << topology.valence_6_share << std::setprecision(2) << "  " << seconds << " s" << std::endl;
+            << topology.valence_6_share << std::setprecision(3);
+  if (result.approximation_error > 0)
+    std::cout << "  error at most " << std::scientific << result.approximation_error / diagonal << std::fixed
+              << ", faces over the bound's "
+              << mesh.number_of_faces() * std::stod(name.substr(1)) * diagonal / (bounds.max_on_surface * mesh.number_of_faces());
+  std::cout << std::setprecision(2) << "  " << seconds << " s" << std::endl;
 }
 
 template <typename Function, typename Distance>
 void run(const Mesh& input, const Mesh& fine, const Function& function, const Distance& exact, const std::size_t faces,
          const std::string& name)
 {
+  const auto run_embedding = [&](const auto& embedding)
+  {
+    run(input, fine, function, exact, name,
+        CGAL::parameters::embedding(embedding).number_of_target_faces(faces).fit_to_surface(name.back() == 'f'));
+  };
   if (name.substr(0, 4) == "auto")
-    run(input, fine, function, exact, faces, name, Hde::Adaptive_normal_embedding());
+    run_embedding(Hde::Adaptive_normal_embedding());
   else if (name[0] == 'p')
-    run(input, fine, function, exact, faces, name, Hde::Curvature_metric(std::stod(name.substr(1))));
+    run_embedding(Hde::Curvature_metric(std::stod(name.substr(1))));
+  else if (name[0] == 'e')
+    run(input, fine, function, exact, name, CGAL::parameters::relative_approximation_error(std::stod(name.substr(1))));
   else
-    run(input, fine, function, exact, faces, name, Hde::Normal_embedding(std::stod(name) * bounding_box_diagonal(input)));
+    run_embedding(Hde::Normal_embedding(std::stod(name) * bounding_box_diagonal(input)));
 }
 
 int main(int argc, char* argv[])

@@ -24,11 +24,24 @@ struct Projection_counters
   std::size_t closest_point = 0; ///< the closest point of the input with its interpolated normal
 };
 
+/// what decided on the number of faces
+enum class Target
+{
+  NUMBER_OF_FACES,    ///< `number_of_target_faces`, or as many as there were
+  EDGE_LENGTH,        ///< the target length
+  APPROXIMATION_ERROR ///< the error
+};
+
 /// what `CGAL::anisotropic_hde_remeshing()` did, and with which parameters where it chose them itself
 struct Remeshing_result
 {
   double sigma = 0;              ///< the weight of the normals, in the unit of the mesh
   double target_edge_length = 0; ///< the 6D edge length aimed at in the end, in the unit of the mesh
+  Target binding_target = Target::NUMBER_OF_FACES; ///< which of the targets given was reached first
+  /// the bound that was found on the distance between the faces, but those at boundary and constrained curves, and the surface, in
+  /// the unit of the mesh, if an error was asked for: at most that, unless the number of faces was reached first; infinite where
+  /// the function does not lead to a surface
+  double approximation_error = 0;
   unsigned int number_of_iterations = 0; ///< the iterations done
   std::size_t number_of_splits = 0;
   std::size_t number_of_collapses = 0;

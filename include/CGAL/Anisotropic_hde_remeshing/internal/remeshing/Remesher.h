@@ -15,6 +15,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_scheme.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/Vertex_fitter.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Error_target.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Target_length.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/remeshing_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/collapse_edges.h>
@@ -40,12 +41,14 @@ class Remesher
 {
   typedef Working_mesh<typename Embedding::Vertex_data> Mesh;
   typedef typename Mesh::Vertex Vertex;
+  typedef Error_target<ConcurrencyTag, Mesh, typename Projection::Function> Error_of_mesh;
 
   // Passes stop when next to nothing is left to do, which these only bound: a split halves an edge, a contraction shortens
   // none.
   static constexpr int maximum_number_of_split_passes = 40;
   static constexpr int maximum_number_of_collapse_passes = 40;
   static constexpr int maximum_number_of_paper_rounds = 20;
+  static constexpr int maximum_number_of_error_rounds = 40;
 
   // The default scheme aims alternately at a little fewer and a little more faces than asked, and flips edges towards
   // valence six: contractions and splits where the mesh is least regular, which anneal its connectivity (on an ellipsoid the
@@ -86,6 +89,14 @@ public:
     target.update(m_mesh, m_embedding);
   }
 
+  // aims at the number of faces that the error seems to ask for, at most that of `target`
+  void start_from_error(Target_length& target)
+  {
+    m_largest_number_of_faces = target.number_of_faces();
+    limit_number_of_faces(Error_of_mesh(m_mesh, m_projection.function(), m_projection.unit(), m_parameters.error,
+                                        m_interruption).first_number_of_faces(), target);
+  }
+
   // `target` is up to date
   void run(Target_length target)
   {
@@ -102,6 +113,8 @@ public:
       if (m_iteration == 0)
         reorder_in_space<ConcurrencyTag>(m_mesh, m_interruption); // most of the vertices that there will be are there
       update(target);
+      if (m_parameters.error > 0)
+        approach_error(target);
       report(1);
     }
     m_result.target_edge_length = target.length();
@@ -115,6 +128,8 @@ public:
       flip(Flip_criterion::ANGLE);
     if (m_parameters.fit_to_surface)
       fit();
+    if (m_parameters.error > 0)
+      refine_to_error();
   }
 
   // all vertices of the input onto the zero set but those that are fixed or stay on their polylines
@@ -145,6 +160,66 @@ private:
         },
         m_interruption);
     return moves;
+  }
+
+  void limit_number_of_faces(const double wanted, Target_length& target)
+  {
+    m_result.binding_target =
+        wanted < m_largest_number_of_faces ? Target::APPROXIMATION_ERROR : Target::NUMBER_OF_FACES;
+    target.set_number_of_faces((std::max)((std::min)(wanted, m_largest_number_of_faces), 4.));
+  }
+
+  void approach_error(Target_length& target)
+  {
+    if (is_settling())
+      return; // the last iterations settle at a number
+    const double factor = Error_of_mesh(m_mesh, m_projection.function(), m_projection.unit(), m_parameters.error,
+                                        m_interruption).factor_of_number_of_faces();
+    limit_number_of_faces(factor * double(m_mesh.number_of_faces()), target);
+    target.update(m_mesh, m_embedding);
+  }
+
+  // Splits the longest edges of the faces that exceed the error until there are none, or as many faces as allowed. Each round
+  // halves edges, hence quarters their errors.
+  void refine_to_error()
+  {
+    Error_of_mesh error(m_mesh, m_projection.function(), m_projection.unit(), m_parameters.error, m_interruption);
+    for (int round = 0; round < maximum_number_of_error_rounds && go_further(); ++round)
+    {
+      const std::vector<Edge_index> edges = longest_edges(error.failing_faces());
+      m_result.approximation_error = error.largest_bound();
+      if (edges.empty() || m_result.binding_target == Target::NUMBER_OF_FACES || go_further() == false)
+        break;
+      const std::size_t before = m_split(edges);
+      m_result.number_of_splits += before;
+      if (before == 0)
+        break;
+      m_result.number_of_flips += m_flip(Flip_criterion::ANGLE);
+      project_the_rest();
+    }
+  }
+
+  // in the embedding, each once, in the order of the mesh
+  std::vector<Edge_index> longest_edges(const std::vector<Face_index>& faces) const
+  {
+    std::vector<Edge_index> edges;
+    for (const Face_index f : faces)
+    {
+      double longest = 0;
+      Edge_index edge;
+      for (const Halfedge_index h : m_mesh.halfedges_around_face(m_mesh.halfedge(f)))
+        if (const double length = m_embedding.squared_length(m_mesh.point(m_mesh.source(h)), m_mesh.point(m_mesh.target(h)));
+            length > longest)
+        {
+          longest = length;
+          edge = m_mesh.edge(h);
+        }
+      if (longest > 0)
+        edges.push_back(edge);
+    }
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    return edges;
   }
 
   // off the surface again, by least squares
@@ -187,7 +262,7 @@ private:
         m_mesh.point(v) = moves.state(v);
   }
 
-  // after an interruption: most of the vertices are exact already, and the caller waits
+  // where most of the vertices are exact already
   void project_the_rest()
   {
     for (const Vertex_index v : m_mesh.vertices())
@@ -351,6 +426,7 @@ private:
   const Vertex_smoother<ConcurrencyTag, Embedding, Projection> m_smooth;
   unsigned int m_iteration = 0;
   double m_length_factor = first_length_factor;
+  double m_largest_number_of_faces = 0; // with an error as the target
 };
 
 } // namespace internal

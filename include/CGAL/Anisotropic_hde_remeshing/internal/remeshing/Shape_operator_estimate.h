@@ -11,7 +11,7 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
-#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Jet.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Working_mesh.h>
 
 #include <Eigen/Core>
 #include <Eigen/LU>
@@ -58,6 +58,22 @@ private:
   Eigen::Matrix3d m_normal_equations = Eigen::Matrix3d::Zero();
   Eigen::Vector3d m_right = Eigen::Vector3d::Zero();
 };
+
+// in tangent_frame() of the normal of the vertex
+template <typename Mesh>
+Eigen::Matrix2d shape_operator_at(const Vertex_index v, const Mesh& mesh)
+{
+  const auto& center = mesh.point(v);
+  const Tangent_frame frame = tangent_frame(center.normal);
+  Shape_operator_estimate estimate;
+  for (const Halfedge_index h : mesh.halfedges_around_target(mesh.halfedge(v)))
+  {
+    const auto& neighbor = mesh.point(mesh.source(h));
+    estimate.add_neighbor(frame.transpose() * (neighbor.point - center.point),
+                          frame.transpose() * (neighbor.normal - center.normal));
+  }
+  return estimate();
+}
 
 } // namespace internal
 } // namespace Anisotropic_hde_remeshing

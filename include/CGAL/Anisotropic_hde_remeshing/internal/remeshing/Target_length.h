@@ -40,6 +40,9 @@ public:
 
   double number_of_faces() const { return m_number_of_faces; }
 
+  // to another number of faces; `update()` makes the length follow
+  void set_number_of_faces(const double number_of_faces) { m_number_of_faces = number_of_faces; }
+
   template <typename Mesh, typename Embedding>
   void update(const Mesh& mesh, const Embedding& embedding)
   {

@@ -63,7 +63,8 @@ void remesh(Working_mesh<typename Embedding::Vertex_data>& mesh, const Embedding
   Real_timer timer;
   timer.start();
   visitor.stage_started(Stage::PROJECTION);
-  const Remeshing_parameters parameters = remeshing_parameters(np);
+  Remeshing_parameters parameters = remeshing_parameters(np);
+  parameters.error = error_parameter(np, diagonal) / unit;
   if (parameters.number_of_iterations > 0)
     reorder_in_space<ConcurrencyTag>(mesh, interruption);
   const Curve_network curves(mesh);
@@ -84,12 +85,17 @@ void remesh(Working_mesh<typename Embedding::Vertex_data>& mesh, const Embedding
   visitor.stage_started(Stage::REMESHING);
   const double unit_of_lengths = embedding.unit_of_lengths(unit);
   Target_length target = target_length(np, embedding.unit_of_lengths(diagonal), unit_of_lengths, mesh.number_of_faces());
+  if (target.is_length_given())
+    result.binding_target = Target::EDGE_LENGTH;
+  if (parameters.error > 0)
+    remesher.start_from_error(target);
   remesher.update(target);
   if (is_metric<Embedding>)
     remesher.update(target);
   check_number_of_faces(target, unit_of_lengths);
   remesher.run(target);
   result.target_edge_length *= unit_of_lengths;
+  result.approximation_error *= unit;
   result.projections = projection.counters();
   result.remeshing_seconds = timer.time();
 }

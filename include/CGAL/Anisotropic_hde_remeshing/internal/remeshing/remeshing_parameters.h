@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
+#include <CGAL/Anisotropic_hde_remeshing/Curvature_metric.h>
 #include <CGAL/Anisotropic_hde_remeshing/Normal_embedding.h>
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_scheme.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/check_parameters.h>
@@ -24,6 +25,7 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -42,6 +44,7 @@ struct Remeshing_parameters
   double collapse_ratio = 0.8;
   double split_ratio = 4. / 3;
   bool fit_to_surface = false;
+  double error = 0; // the largest distance to the surface, where one is asked for
 };
 
 template <typename NamedParameters, typename Name>
@@ -88,7 +91,11 @@ Remeshing_parameters remeshing_parameters(const NamedParameters& np)
   return result;
 }
 
-// the embedding that is given or, without one, the paper's, with sigma in the unit of the mesh or as a share of the diagonal
+template <typename NamedParameters>
+constexpr bool is_error_given = is_given<NamedParameters, internal_np::approximation_error_t> ||
+                                is_given<NamedParameters, internal_np::relative_approximation_error_t>;
+
+// the embedding that is given or, without one, for an error the metric of the largest distance, and otherwise the paper's, with sigma in the unit of the mesh or as a share of the diagonal
 // of its bounding box
 template <typename NamedParameters>
 auto embedding_parameter(const NamedParameters& np, const double diagonal)
@@ -106,12 +113,31 @@ auto embedding_parameter(const NamedParameters& np, const double diagonal)
   else if constexpr (has_relative_sigma)
     return Normal_embedding(diagonal * checked_not_negative("relative_sigma", CGAL::to_double(get_parameter(
                                                                 np, internal_np::relative_sigma))));
+  else if constexpr (is_error_given<NamedParameters>)
+    return Curvature_metric(std::numeric_limits<double>::infinity());
   else
     return Normal_embedding(0.01 * diagonal);
 }
 
 template <typename NamedParameters>
 using Embedding_parameter = decltype(embedding_parameter(std::declval<NamedParameters>(), 1.));
+
+// in the unit of the mesh; 0 if none is given
+template <typename NamedParameters>
+double error_parameter(const NamedParameters& np, const double diagonal)
+{
+  constexpr bool has_error = is_given<NamedParameters, internal_np::approximation_error_t>,
+                 has_relative_error = is_given<NamedParameters, internal_np::relative_approximation_error_t>;
+  static_assert(!has_error || !has_relative_error, "approximation_error and relative_approximation_error exclude each other");
+  using parameters::get_parameter;
+  if constexpr (has_error)
+    return checked_positive("approximation_error", CGAL::to_double(get_parameter(np, internal_np::approximation_error)));
+  else if constexpr (has_relative_error)
+    return diagonal * checked_positive("relative_approximation_error",
+                                       CGAL::to_double(get_parameter(np, internal_np::relative_approximation_error)));
+  else
+    return 0;
+}
 
 // in `unit`; it and the diagonal of the mesh as the embedding has them
 template <typename NamedParameters>
@@ -121,6 +147,8 @@ Target_length target_length(const NamedParameters& np, const double diagonal, co
   constexpr bool has_length = is_given<NamedParameters, internal_np::target_edge_length_t>,
                  has_relative_length = is_given<NamedParameters, internal_np::relative_target_edge_length_t>,
                  has_count = is_given<NamedParameters, internal_np::number_of_target_faces_t>;
+  static_assert(!is_error_given<NamedParameters> || !(has_length || has_relative_length),
+                "an approximation error excludes a target length");
   static_assert(int(has_length) + int(has_relative_length) + int(has_count) <= 1,
                 "target_edge_length, relative_target_edge_length and number_of_target_faces exclude each other");
   using parameters::get_parameter;
@@ -134,6 +162,8 @@ Target_length target_length(const NamedParameters& np, const double diagonal, co
   else if constexpr (has_count)
     return Target_length::of_number_of_faces(checked_count(
         "number_of_target_faces", get_parameter(np, internal_np::number_of_target_faces), largest_number_of_faces));
+  else if constexpr (is_error_given<NamedParameters>)
+    return Target_length::of_number_of_faces(largest_number_of_faces);
   else
     return Target_length::of_number_of_faces(number_of_faces);
 }
@@ -153,6 +183,7 @@ void check_parameters(const NamedParameters& np)
 {
   remeshing_parameters(np);
   embedding_parameter(np, 1);
+  error_parameter(np, 1);
   target_length(np, 1, 1, 1);
 }
 

@@ -47,7 +47,30 @@ public:
   // one pass over the edges longer than `length`, the longest first, `maximum` at most; returns how many it split
   std::size_t operator()(const double length, const std::size_t maximum = std::size_t(-1)) const
   {
-    std::vector<Candidate> candidates = long_edges(length * length, maximum);
+    return split(long_edges(length * length, maximum));
+  }
+
+  // the edges given; returns how many it split
+  std::size_t operator()(const std::vector<Edge_index>& edges) const
+  {
+    std::vector<Candidate> candidates;
+    for (const Edge_index e : edges)
+      if (m_mesh.arc(m_mesh.halfedge(e)).curve != Curve_arc::untouchable)
+        candidates.push_back(candidate(e));
+    return split(std::move(candidates));
+  }
+
+private:
+  struct Candidate
+  {
+    double squared_length = 0;
+    Edge_index edge;
+    Vertex middle;
+    bool is_good = false;
+  };
+
+  std::size_t split(std::vector<Candidate> candidates) const
+  {
     parallel_for<ConcurrencyTag>(
         candidates.size(), [&](const std::size_t i) { place_middle(candidates[i]); }, 16, m_interruption);
     std::size_t number_of_splits = 0;
@@ -64,14 +87,14 @@ public:
     return number_of_splits;
   }
 
-private:
-  struct Candidate
+  Candidate candidate(const Edge_index e) const
   {
-    double squared_length = 0;
-    Edge_index edge;
-    Vertex middle;
-    bool is_good = false;
-  };
+    Candidate result;
+    result.squared_length =
+        m_embedding.squared_length(m_mesh.point(m_mesh.vertex(e, 0)), m_mesh.point(m_mesh.vertex(e, 1)));
+    result.edge = e;
+    return result;
+  }
 
   // the longest first
   std::vector<Candidate> long_edges(const double squared_length, const std::size_t maximum) const
@@ -89,12 +112,11 @@ private:
         edges.emplace_back(-length, e);
     }
     parallel_sort<ConcurrencyTag>(edges);
-    std::vector<Candidate> candidates((std::min)(edges.size(), maximum));
-    for (std::size_t i = 0; i < candidates.size(); ++i)
-    {
-      candidates[i].squared_length = -edges[i].first;
-      candidates[i].edge = edges[i].second;
-    }
+    edges.resize((std::min)(edges.size(), maximum));
+    std::vector<Candidate> candidates;
+    candidates.reserve(edges.size());
+    for (const auto& edge : edges)
+      candidates.push_back(candidate(edge.second));
     return candidates;
   }
 

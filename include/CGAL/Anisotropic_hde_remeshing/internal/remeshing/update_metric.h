@@ -82,16 +82,7 @@ private:
 
   Eigen::Matrix2d metric_of_curvature(const Vertex_index v) const
   {
-    const auto& center = m_mesh.point(v);
-    const Tangent_frame frame = tangent_frame(center.normal);
-    Shape_operator_estimate shape_operator;
-    for (const Halfedge_index h : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
-    {
-      const auto& neighbor = m_mesh.point(m_mesh.source(h));
-      shape_operator.add_neighbor(frame.transpose() * (neighbor.point - center.point),
-                                  frame.transpose() * (neighbor.normal - center.normal));
-    }
-    const Eigen::Matrix2d metric = m_metric.of_shape_operator(shape_operator());
+    const Eigen::Matrix2d metric = m_metric.of_shape_operator(shape_operator_at(v, m_mesh));
     return m_length > 0 ? bounded_metric(metric, m_least, m_largest) : metric;
   }
 

@@ -1,0 +1,159 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+#ifndef CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_ERROR_TARGET_H
+#define CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_ERROR_TARGET_H
+
+#include <CGAL/license/Anisotropic_hde_remeshing.h>
+
+#include <CGAL/Anisotropic_hde_remeshing/internal/Deviation_bound.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/Interruption.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Shape_operator_estimate.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Working_mesh.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Anisotropic_hde_remeshing {
+namespace internal {
+
+// How many faces it takes to keep the distance between the faces and the surface below an error, and which faces do not.
+// Faces that touch a boundary or a constrained curve, which lie off the surface as far as the input does, are allowed the
+// distance of their vertices on it besides.
+template <typename ConcurrencyTag, typename Mesh, typename Function>
+class Error_target
+{
+  // The faces are about as many as the asymptotic bound for the largest distance says, times this.
+  static constexpr double first_ratio_to_bound = 1.4;
+  // While the mesh is remeshed, all faces but this share are to stay below the error. The rest is refined in the end.
+  static constexpr double share_refined_in_the_end = 0.03;
+  static constexpr double largest_factor = 2;
+
+public:
+  Error_target(const Mesh& mesh, const Function& function, const double unit, const double error, Interruption& interruption)
+    : m_mesh(mesh), m_bound(function, unit), m_error(error), m_interruption(interruption)
+  {
+  }
+
+  // The asymptotic bound: the integral of g |K|^(1/2) over the surface, over the error, with the Gauss curvature K; see
+  // Approximation_bounds.
+  double first_number_of_faces() const
+  {
+    static constexpr double g = 0.3849002;
+    double integral = 0;
+    for (const Face_index f : m_mesh.faces())
+    {
+      const Triangle t(m_mesh.halfedge(f), m_mesh);
+      const double area = 0.5 * (point(t.b) - point(t.a)).cross(point(t.c) - point(t.a)).norm();
+      for (const Vertex_index v : {t.a, t.b, t.c})
+        integral += area / 3 * g * std::sqrt(std::abs(shape_operator_at(v, m_mesh).determinant()));
+    }
+    return first_ratio_to_bound * integral / m_error;
+  }
+
+  // by what factor the number of faces is to change: the error of a face is proportional to its area
+  double factor_of_number_of_faces() const
+  {
+    const std::vector<Face_index> faces(m_mesh.faces().begin(), m_mesh.faces().end());
+    std::vector<double> errors(faces.size(), 0.);
+    parallel_for<ConcurrencyTag>(
+        faces.size(),
+        [&](const std::size_t i)
+        {
+          const Triangle t(m_mesh.halfedge(faces[i]), m_mesh);
+          if (!is_on_curve(t))
+            errors[i] = m_bound.estimate(point(t.a), point(t.b), point(t.c));
+        },
+        16, m_interruption);
+    const std::size_t rank = std::size_t((1 - share_refined_in_the_end) * double(errors.size() - 1));
+    std::nth_element(errors.begin(), errors.begin() + std::ptrdiff_t(rank), errors.end());
+    return (std::min)((std::max)(errors[rank] / m_error, 1 / largest_factor), largest_factor);
+  }
+
+  // Those whose bound is above the error. A face that has passed is not looked at again; vertices must not move meanwhile.
+  std::vector<Face_index> failing_faces()
+  {
+    m_passed.resize(face_capacity(m_mesh));
+    m_bounds.assign(face_capacity(m_mesh), 0.);
+    parallel_for<ConcurrencyTag>(
+        m_passed.size(),
+        [&](const std::size_t i)
+        {
+          const Face_index f(static_cast<Face_index::size_type>(i));
+          if (!m_mesh.is_removed(f))
+            look_at(f);
+        },
+        4, m_interruption);
+    std::vector<Face_index> failing;
+    m_largest_bound = 0;
+    for (const Face_index f : m_mesh.faces())
+    {
+      const Passed& passed = m_passed[f];
+      if (m_bounds[f] > 0)
+        failing.push_back(f);
+      m_largest_bound = (std::max)(m_largest_bound, m_bounds[f] > 0 ? m_bounds[f] : passed.bound);
+    }
+    return failing;
+  }
+
+  // over all faces but those on curves, when `failing_faces()` looked
+  double largest_bound() const { return m_largest_bound; }
+
+private:
+  // the vertices of a face that has passed
+  struct Passed
+  {
+    std::array<Vertex_index, 3> vertices;
+    double bound = 0; // 0 on curves
+  };
+
+  const Vector& point(const Vertex_index v) const { return m_mesh.point(v).point; }
+
+  bool is_on_curve(const Triangle& t) const
+  {
+    return m_mesh.point(t.a).is_on_curve || m_mesh.point(t.b).is_on_curve || m_mesh.point(t.c).is_on_curve;
+  }
+
+  void look_at(const Face_index f)
+  {
+    const Triangle t(m_mesh.halfedge(f), m_mesh);
+    std::array<Vertex_index, 3> vertices{t.a, t.b, t.c};
+    std::sort(vertices.begin(), vertices.end());
+    if (m_passed[f].vertices == vertices)
+      return;
+    const double reach = (point(t.a) - point(t.b)).norm() + (point(t.b) - point(t.c)).norm();
+    double allowed = m_error;
+    for (const Vertex_index v : {t.a, t.b, t.c})
+      if (m_mesh.point(v).is_on_curve)
+        allowed = (std::max)(allowed, m_error + m_bound.distance(point(v), reach));
+    const double bound = m_bound(point(t.a), point(t.b), point(t.c), allowed);
+    if (bound <= allowed)
+      m_passed[f] = Passed{vertices, is_on_curve(t) ? 0. : bound};
+    else
+      m_bounds[f] = bound;
+  }
+
+  const Mesh& m_mesh;
+  const Deviation_bound<Function> m_bound;
+  const double m_error;
+  Interruption& m_interruption;
+  std::vector<Passed> m_passed;
+  std::vector<double> m_bounds; // of the faces that fail
+  double m_largest_bound = 0;
+};
+
+} // namespace internal
+} // namespace Anisotropic_hde_remeshing
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_ERROR_TARGET_H
