@@ -9,6 +9,8 @@
 #include "Mesh.h"
 #include "Failure.h"
 
+#include <CGAL/version.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -170,7 +172,10 @@ Checked_mesh mesh_of_soup(const Soup& soup, const std::string& file_name)
   std::vector<Mesh::Vertex_index> vertices(soup.points.size());
   for (std::size_t v = 0; v < soup.points.size(); ++v)
     if (is_used[v])
+    {
       vertices[v] = result.mesh.add_vertex(soup.points[v]);
+      result.positions.push_back(v);
+    }
     else
       ++result.number_of_isolated_vertices;
   for (const std::vector<std::size_t>& f : soup.faces)
@@ -195,6 +200,27 @@ Soup soup_of_mesh(const Mesh& mesh)
       soup.faces.back().push_back(numbers[v]);
   }
   return soup;
+}
+
+namespace {
+
+const char* name_of_field = "v:hde_remesh_field";
+
+} // namespace
+
+Field add_field(Mesh& mesh)
+{
+  return mesh.add_property_map<Mesh::Vertex_index, double>(name_of_field, 0.).first;
+}
+
+std::optional<Field> field_of(const Mesh& mesh)
+{
+#if CGAL_VERSION_NR >= CGAL_VERSION_NUMBER(6, 0, 0)
+  return mesh.property_map<Mesh::Vertex_index, double>(name_of_field);
+#else
+  const auto found = mesh.property_map<Mesh::Vertex_index, double>(name_of_field);
+  return found.second ? std::optional<Field>(found.first) : std::nullopt;
+#endif
 }
 
 } // namespace hde_remesh

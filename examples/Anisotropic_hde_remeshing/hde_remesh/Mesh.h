@@ -14,7 +14,9 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <cstddef>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace hde_remesh {
 
@@ -24,6 +26,7 @@ struct Checked_mesh
 {
   Mesh mesh;
   std::size_t number_of_isolated_vertices = 0; // points without a face, which the mesh does not have
+  std::vector<std::size_t> positions;          // of its vertices among the points
 };
 
 // The triangle mesh of a soup, with the vertices and faces in their order. Fails, with the name of the file and the
@@ -31,6 +34,11 @@ struct Checked_mesh
 Checked_mesh mesh_of_soup(const Soup& soup, const std::string& file_name);
 
 Soup soup_of_mesh(const Mesh& mesh);
+
+// the vertex property of a mesh that a field comes from
+typedef Mesh::Property_map<Mesh::Vertex_index, double> Field;
+Field add_field(Mesh& mesh);
+std::optional<Field> field_of(const Mesh& mesh);
 
 } // namespace hde_remesh
 

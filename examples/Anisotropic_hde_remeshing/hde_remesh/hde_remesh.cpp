@@ -13,6 +13,7 @@
 #include "Report.h"
 #include "Stopwatch.h"
 #include "Whole_file.h"
+#include "field_file.h"
 #include "measure.h"
 #include "mesh_file.h"
 #include "options.h"
@@ -30,9 +31,11 @@
 #include <cmath>
 #include <exception>
 #include <iostream>
+#include <limits>
 #include <new>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace hde_remesh {
 
@@ -56,6 +59,14 @@ void check_files(const Options& options)
     const Whole_file json(options.json);
 }
 
+void read_field(const Options& options, Checked_mesh& input)
+{
+  const std::vector<double> values = read_vertex_property(options.input, options.field);
+  Field field = add_field(input.mesh);
+  for (const Mesh::Vertex_index v : input.mesh.vertices())
+    field[v] = values.at(input.positions[v]);
+}
+
 Checked_mesh read_mesh(const Options& options)
 {
   Checked_mesh input = mesh_of_soup(read_soup(options.input), options.input);
@@ -63,6 +74,8 @@ Checked_mesh read_mesh(const Options& options)
   if (!std::isfinite(d * d) || !(d * d > 0))
     throw Failure(in_quotes(options.input) + ": its bounding box has the diagonal " + std::to_string(d) +
                   ", with which nobody can compute");
+  if (!options.field.empty())
+    read_field(options, input);
   return input;
 }
 
@@ -83,15 +96,36 @@ std::size_t faces_for_vertices(const long long number_of_vertices, const Hde::To
   return static_cast<std::size_t>(faces);
 }
 
+double range_of_field(const Mesh& mesh)
+{
+  const Field field = *field_of(mesh);
+  double least = (std::numeric_limits<double>::max)(), largest = -least;
+  for (const Mesh::Vertex_index v : mesh.vertices())
+  {
+    least = (std::min)(least, field[v]);
+    largest = (std::max)(largest, field[v]);
+  }
+  if (!(largest > least))
+    throw Failure("the field has the value " + std::to_string(largest) + " at all vertices");
+  return largest - least;
+}
+
 Sizes sizes_of(const Options& options, const Mesh& mesh)
 {
   Sizes sizes;
-  sizes.sigma = options.absolute_sigma.value_or(options.sigma.value_or(0.01) * diagonal(mesh));
+  const double d = diagonal(mesh);
+  sizes.sigma = options.absolute_sigma.value_or(options.sigma.value_or(0.01) * d);
+  if (options.absolute_error)
+    sizes.error = options.absolute_error;
+  else if (options.error)
+    sizes.error = *options.error * d;
+  if (!options.field.empty())
+    sizes.tau = options.tau.value_or(0.1) * d / range_of_field(mesh);
   if (options.length)
     sizes.edge_length = options.length;
   else if (options.vertices)
     sizes.number_of_faces = faces_for_vertices(*options.vertices, measure_topology(mesh));
-  else
+  else if (options.faces || !sizes.error)
     sizes.number_of_faces =
         options.faces ? static_cast<std::size_t>(*options.faces) : static_cast<std::size_t>(mesh.number_of_faces());
   return sizes;

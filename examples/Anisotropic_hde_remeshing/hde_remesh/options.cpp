@@ -38,32 +38,84 @@ const char* help_footer()
 {
   return "Formats: OFF, OBJ, PLY and STL, by the extension of the file name. PLY and STL are written\n"
          "binary; STL keeps 7 digits only.\n"
-         "Units: lengths are in the unit of the mesh, but --sigma, a fraction of the diagonal D of the\n"
-         "bounding box of IN. A larger sigma gives longer, thinner triangles along the bends; 0 gives\n"
+         "Units: lengths are in the unit of the mesh, but --sigma and --error are fractions of the\n"
+         "diagonal D of the bounding box of IN. A larger sigma gives longer, thinner triangles along the bends; 0 gives\n"
          "triangles of equal sides everywhere. Useful values of --sigma are .005 to .05 for scans and\n"
          ".05 to .3 for smooth, simple shapes.\n\n"
          "Examples:\n"
          "  hde_remesh bunny.off out.off                         as many triangles as before\n"
          "  hde_remesh bunny.off out.ply --faces 20000 --sigma .02\n"
          "  hde_remesh part.stl out.obj --vertices 5000 --json out.json\n"
-         "  hde_remesh scan.obj out.off --length .5 --scheme paper\n\n"
+         "  hde_remesh scan.obj out.off --length .5 --scheme paper\n"
+         "  hde_remesh bunny.off out.off --error .001            within a thousandth of D\n"
+         "  hde_remesh part.stl out.stl --metric 2 --faces 5000 --fit\n\n"
          "Exit status: 0 done; 1 the input, a value or the output cannot be used; 2 the command line\n"
          "cannot be understood; 130 cancelled by Ctrl-C. OUT and FILE are written whole or not at all:\n"
          "without exit status 0, files of these names are as they were, but where the message says so.";
 }
 
+// a number or, in its place, a word
+double number_or_infinity(const std::string& text)
+{
+  double value = 0;
+  if (!CLI::detail::lexical_cast(text, value))
+    throw CLI::ConversionError("Could not convert: --metric = " + text);
+  return value;
+}
+
+void add_embedding_options(CLI::App& app, Options& o)
+{
+  const std::string group = "Where triangles are small and thin";
+  auto* sigma = app.add_option_function<std::string>(
+                       "--sigma",
+                       [&o](const std::string& text)
+                       {
+                         double value = 0;
+                         if (text == "auto")
+                           o.adaptive_sigma = true;
+                         else if (CLI::detail::lexical_cast(text, value))
+                           o.sigma = value;
+                         else
+                           throw CLI::ConversionError("Could not convert: --sigma = " + text);
+                       },
+                       "weight of the normals, a fraction of D (default 0.01); or auto: 1 / sqrt|K|, with the\n"
+                       "Gauss curvature K")
+                    ->type_name("FLOAT|auto")
+                    ->group(group);
+  auto* absolute_sigma = app.add_option("--absolute-sigma", o.absolute_sigma, "weight of the normals, in the unit of the mesh")
+                             ->excludes(sigma)
+                             ->group(group);
+  auto* metric =
+      app.add_option_function<std::string>(
+             "--metric", [&o](const std::string& text) { o.metric = number_or_infinity(text); },
+             "in place of sigma: the metric of the curvature that makes the distance to the surface least in the\n"
+             "norm L^P; P from 1 to inf, for the largest distance")
+          ->type_name("P|inf")
+          ->excludes(sigma)
+          ->excludes(absolute_sigma)
+          ->group(group);
+  auto* field = app.add_option("--field", o.field, "a vertex property of IN, a PLY file: triangles are small where it varies, too")
+                    ->type_name("NAME")
+                    ->excludes(metric)
+                    ->group(group);
+  app.add_option("--tau", o.tau, "weight of the field: D over its range is 1 (default 0.1)")->needs(field)->group(group);
+}
+
 void add_size_options(CLI::App& app, Options& o)
 {
-  auto* sigma = app.add_option("--sigma", o.sigma, "weight of the normals, a fraction of D (default 0.01)");
-  app.add_option("--absolute-sigma", o.absolute_sigma, "weight of the normals, in the unit of the mesh")
-      ->excludes(sigma);
   auto* faces = app.add_option("--faces", o.faces, "number of triangles to aim at (default: as many as IN has)");
   auto* vertices = app.add_option("--vertices", o.vertices,
                                   "number of vertices to aim at; turned into triangles by Euler's formula");
-  app.add_option("--length", o.length, "6D edge length to aim at, in the unit of the mesh")
-      ->excludes(faces)
-      ->excludes(vertices);
+  auto* length = app.add_option("--length", o.length, "6D edge length to aim at, in the unit of the mesh")
+                     ->excludes(faces)
+                     ->excludes(vertices);
   vertices->excludes(faces);
+  auto* error = app.add_option("--error", o.error,
+                               "largest distance between triangles and surface, a fraction of D: as few triangles as keep\n"
+                               "it, at most --faces; by --metric inf unless another is given")
+                    ->excludes(length);
+  app.add_option("--absolute-error", o.absolute_error, "the same in the unit of the mesh")->excludes(length)->excludes(error);
+  app.add_flag("--fit", o.fit, "move the vertices off the surface in the end, to where the distance is least");
 }
 
 void add_function_options(CLI::App& app, Options& o)
@@ -151,6 +203,13 @@ void check_values(const Options& o)
 {
   require_length("--sigma", o.sigma, true);
   require_length("--absolute-sigma", o.absolute_sigma, true);
+  require("--metric", o.metric, o.metric && *o.metric >= 1, "from 1 to inf");
+  require("--metric", o.metric, !o.length, "left out with --length, which is 6D");
+  require_length("--tau", o.tau, true);
+  require("--field", o.adaptive_sigma ? std::optional<std::string>(o.field) : std::nullopt, o.field.empty(),
+          "left out with --sigma auto");
+  require_length("--error", o.error);
+  require_length("--absolute-error", o.absolute_error);
   require_length("--length", o.length);
   require_count("--faces", o.faces);
   require_count("--vertices", o.vertices);
@@ -192,6 +251,7 @@ std::optional<Options> read_command_line(const int argc, char** argv)
   app.add_option("IN", o.input, "the mesh: triangles, manifold, with or without boundary")->required()->type_name("");
   app.add_option("OUT", o.output, "where the new mesh is written")->required()->type_name("");
   add_size_options(app, o);
+  add_embedding_options(app, o);
   add_function_options(app, o);
   add_remeshing_options(app, o);
   add_report_options(app, o);

@@ -19,6 +19,12 @@ struct Options
 {
   std::string input, output;
   std::optional<double> sigma, absolute_sigma; // a fraction of the diagonal; a length
+  bool adaptive_sigma = false;
+  std::optional<double> metric; // the norm, perhaps infinite
+  std::string field;            // the name of a vertex property
+  std::optional<double> tau;
+  std::optional<double> error, absolute_error; // a fraction of the diagonal; a length
+  bool fit = false;
   std::optional<long long> faces, vertices;    // signed, so that a negative count can be named
   std::optional<double> length;
   std::string kernel = "r3";

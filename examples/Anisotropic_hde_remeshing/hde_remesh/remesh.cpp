@@ -9,39 +9,23 @@
 #include "remesh.h"
 #include "Stopwatch.h"
 #include "build_function.h"
-
-#include <CGAL/anisotropic_hde_remeshing.h>
+#include "remesh_with.h"
 
 namespace hde_remesh {
 
 namespace {
 
-namespace parameters = CGAL::parameters;
-typedef CGAL::Anisotropic_hde_remeshing::Remeshing_scheme Remeshing_scheme;
-typedef CGAL::Anisotropic_hde_remeshing::Remeshing_result Remeshing_result;
-
-template <typename NamedParameters>
-Remeshing_result run(Mesh& mesh, const Function_view& function, const Options& o, const NamedParameters& np)
+Remeshing_result remesh_with_embedding(Mesh& mesh, const Function_view& function, const Sizes& sizes, const Options& o,
+                                       Progress& progress)
 {
-  // what the scheme has where nothing is given
-  const auto defaults = CGAL::Anisotropic_hde_remeshing::internal::remeshing_parameters(np);
-  return CGAL::anisotropic_hde_remeshing<CGAL::Parallel_if_available_tag>(
-      mesh, function,
-      np.number_of_iterations(o.iterations.value_or(defaults.number_of_iterations))
-          .number_of_relaxation_steps(o.relaxation_steps.value_or(defaults.number_of_relaxation_steps))
-          .smoothing_ratio(o.smoothing_ratio.value_or(defaults.smoothing_ratio))
-          .collapse_ratio(o.collapse_ratio.value_or(defaults.collapse_ratio))
-          .split_ratio(o.split_ratio.value_or(defaults.split_ratio)));
-}
-
-Remeshing_result run_with_sizes(Mesh& mesh, const Function_view& function, const Sizes& sizes, const Options& o,
-                                Progress& progress)
-{
-  const auto np = parameters::sigma(sizes.sigma)
-                      .remeshing_scheme(o.scheme == "paper" ? Remeshing_scheme::PAPER : Remeshing_scheme::DEFAULT)
-                      .visitor(Progress_visitor(progress));
-  return sizes.edge_length ? run(mesh, function, o, np.target_edge_length(*sizes.edge_length))
-                           : run(mesh, function, o, np.number_of_target_faces(*sizes.number_of_faces));
+  const bool has_sigma = o.sigma || o.absolute_sigma;
+  if (!o.field.empty())
+    return remesh_with_field(mesh, function, sizes, o, progress);
+  if (o.adaptive_sigma)
+    return remesh_with_adaptive_sigma(mesh, function, sizes, o, progress);
+  if (o.metric || (sizes.error && !has_sigma))
+    return remesh_with_metric(mesh, function, sizes, o, progress);
+  return remesh_with_normals(mesh, function, sizes, o, progress);
 }
 
 } // namespace
@@ -58,7 +42,7 @@ Remeshed remesh(const Mesh& mesh, const Sizes& sizes, const Options& options, Pr
   remeshed.rbf = built.rbf;
   remeshed.mesh = mesh;
   is_listening() = 1;
-  remeshed.result = run_with_sizes(remeshed.mesh, remeshed.function, sizes, options, progress);
+  remeshed.result = remesh_with_embedding(remeshed.mesh, remeshed.function, sizes, options, progress);
   is_listening() = 0;
   return remeshed;
 }

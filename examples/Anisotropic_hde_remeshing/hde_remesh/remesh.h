@@ -27,8 +27,10 @@ namespace hde_remesh {
 struct Sizes
 {
   double sigma = 0;
-  std::optional<double> edge_length; // one of these two
+  std::optional<double> edge_length; // one of these three, or the last two
+  std::optional<double> error;
   std::optional<std::size_t> number_of_faces;
+  double tau = 0; // of the field, where there is one
 };
 
 struct Remeshed

@@ -32,6 +32,7 @@ struct Metric_bounds
 {
   double shortest_edge = 1e-4; ///< no edge needs to be shorter, as a share of the diagonal of the bounding box of the mesh
   double longest_edge = 0.25;  ///< no edge shall be longer, likewise
+  double turn = 0.8;           ///< the normal turns by no more than this along an edge, in radians
   double gradation = 1.5;      ///< by what factor the lengths that the metric asks of neighbouring edges may differ, above 1
 };
 
@@ -52,12 +53,14 @@ public:
     checked_positive("longest_edge", bounds.longest_edge);
     if (!(bounds.shortest_edge < bounds.longest_edge))
       throw_invalid_argument("longest_edge", bounds.longest_edge, "longer than shortest_edge");
+    checked_positive("turn", bounds.turn);
     if (!(bounds.gradation > 1))
       throw_invalid_argument("gradation", bounds.gradation, "above 1");
   }
 
   double shortest_edge() const { return m_bounds.shortest_edge; }
   double longest_edge() const { return m_bounds.longest_edge; }
+  double turn() const { return m_bounds.turn; }
   double gradation() const { return m_bounds.gradation; }
 
   // the metric follows from the curvature around vertices only once they have neighbours

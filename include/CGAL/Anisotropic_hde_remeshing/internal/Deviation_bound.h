@@ -16,7 +16,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -27,8 +26,9 @@ namespace internal {
 // triangle; between these it differs from its linear interpolation by at most a third of the second differences of a definite
 // quadratic form over the small edges, 1/6, and half of them is added: the bound holds as long as the second derivatives
 // nowhere exceed three times the largest measured. The grid is refined until the bound is below what is allowed or a point
-// above, or the addition is small.
-template <typename Function>
+// above, or the addition is small. Where no way along the gradient leads to the zero set, the distance to `other` counts, a
+// function object that knows another approximation of the surface.
+template <typename Function, typename Other_distance>
 class Deviation_bound
 {
   static constexpr int coarsest = 4, finest = 32; // small edges along an edge
@@ -36,18 +36,21 @@ class Deviation_bound
 
 public:
   // `unit` of the coordinates, in that of the function
-  explicit Deviation_bound(const Function& function, const double unit = 1) : m_distance(function, unit) {}
+  Deviation_bound(const Function& function, const double unit, const Other_distance& other)
+    : m_distance(function, unit), m_other(other)
+  {
+  }
 
-  // infinite if no way leads to the zero set from some point
   double operator()(const Vector& a, const Vector& b, const Vector& c, const double allowed) const
   {
     const double reach = longest_edge(a, b, c);
-    double bound = 0;
+    // no point is further from the nearest vertex than the circumradius of an equilateral triangle of the longest edge
+    double bound = (std::max)({distance(a, reach), distance(b, reach), distance(c, reach)}) + reach / std::sqrt(3.);
+    if (bound <= allowed)
+      return bound;
     for (int n = coarsest; n <= finest; n *= 2)
     {
-      const Grid grid(n, a, b, c, m_distance, reach);
-      if (!grid.is_known())
-        return (std::numeric_limits<double>::infinity)();
+      const Grid grid(n, a, b, c, [&](const Vector& p) { return signed_distance(p, reach); });
       bound = grid.largest() + share_of_second_difference * grid.largest_second_difference();
       if (bound <= allowed || grid.largest() > allowed)
         break;
@@ -55,29 +58,26 @@ public:
     return bound;
   }
 
-  // at the centroid and the middles of the edges only, of which the vertices lie on the surface; infinite as above
+  // at the centroid and the middles of the edges only, of which the vertices lie on the surface
   double estimate(const Vector& a, const Vector& b, const Vector& c) const
   {
     const double reach = longest_edge(a, b, c);
     double largest = 0;
     for (const Vector& p : {Vector((a + b + c) / 3), Vector((a + b) / 2), Vector((b + c) / 2), Vector((c + a) / 2)})
-    {
-      const double distance = std::abs(m_distance(p, reach).distance);
-      if (!(distance <= reach))
-        return (std::numeric_limits<double>::infinity)();
-      largest = (std::max)(largest, distance);
-    }
+      largest = (std::max)(largest, distance(p, reach));
     return largest;
   }
 
-  // of a point from the zero set, infinite if that is further than `reach`
-  double distance(const Vector& p, const double reach) const
-  {
-    const double distance = std::abs(m_distance(p, reach).distance);
-    return distance <= reach ? distance : (std::numeric_limits<double>::infinity)();
-  }
+  // of a point; ways to the zero set longer than `reach` are not taken
+  double distance(const Vector& p, const double reach) const { return std::abs(signed_distance(p, reach)); }
 
 private:
+  double signed_distance(const Vector& p, const double reach) const
+  {
+    const double distance = m_distance(p, reach).distance;
+    return std::isfinite(distance) ? distance : m_other(p);
+  }
+
   static double longest_edge(const Vector& a, const Vector& b, const Vector& c)
   {
     return std::sqrt((std::max)({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
@@ -87,21 +87,18 @@ private:
   class Grid
   {
   public:
-    Grid(const int n, const Vector& a, const Vector& b, const Vector& c, const Surface_distance<Function>& distance,
-         const double reach)
+    template <typename Distance>
+    Grid(const int n, const Vector& a, const Vector& b, const Vector& c, const Distance& distance)
       : m_n(n), m_values(std::size_t((n + 1) * (n + 2) / 2))
     {
-      for (int i = 0; i <= n && m_is_known; ++i)
-        for (int j = 0; i + j <= n && m_is_known; ++j)
+      for (int i = 0; i <= n; ++i)
+        for (int j = 0; i + j <= n; ++j)
         {
-          const double at_point = distance((double(n - i - j) * a + double(i) * b + double(j) * c) / n, reach).distance;
-          m_is_known = std::isfinite(at_point);
-          value(i, j) = at_point;
-          m_largest = (std::max)(m_largest, std::abs(at_point));
+          value(i, j) = distance((double(n - i - j) * a + double(i) * b + double(j) * c) / n);
+          m_largest = (std::max)(m_largest, std::abs(value(i, j)));
         }
     }
 
-    bool is_known() const { return m_is_known; }
     double largest() const { return m_largest; }
 
     double largest_second_difference() const
@@ -131,11 +128,11 @@ private:
 
     int m_n;
     std::vector<double> m_values;
-    bool m_is_known = true;
     double m_largest = 0;
   };
 
   const Surface_distance<Function> m_distance;
+  const Other_distance& m_other;
 };
 
 } // namespace internal

@@ -26,7 +26,7 @@ namespace internal {
 template <typename Function>
 class Surface_distance
 {
-  static constexpr int newton_steps = 5;
+  static constexpr int newton_steps = 12;
   static constexpr double exactness = 1e-4; // of the distance
 
 public:

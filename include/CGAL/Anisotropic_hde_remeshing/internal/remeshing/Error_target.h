@@ -14,6 +14,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/Deviation_bound.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/Interruption.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Input_surface.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Shape_operator_estimate.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Working_mesh.h>
 
@@ -38,12 +39,17 @@ class Error_target
   // While the mesh is remeshed, all faces but this share are to stay below the error. The rest is refined in the end.
   static constexpr double share_refined_in_the_end = 0.03;
   static constexpr double largest_factor = 2;
+  // A face this small, twice its longest edge over the error, whose distance still exceeds the error does not lie along the surface
+  // that the function has: to split it does not help.
+  static constexpr double smallest_face = 4;
 
 public:
-  Error_target(const Mesh& mesh, const Function& function, const double unit, const double error, Interruption& interruption)
-    : m_mesh(mesh), m_bound(function, unit), m_error(error), m_interruption(interruption)
+  Error_target(const Mesh& mesh, const Function& function, const Input_surface& input, const double unit,
+               const double error, Interruption& interruption)
+    : m_mesh(mesh), m_to_input{input}, m_bound(function, unit, m_to_input), m_error(error), m_interruption(interruption)
   {
   }
+  Error_target(const Error_target&) = delete;
 
   // The asymptotic bound: the integral of g |K|^(1/2) over the surface, over the error, with the Gauss curvature K; see
   // Approximation_bounds.
@@ -80,13 +86,19 @@ public:
     return (std::min)((std::max)(errors[rank] / m_error, 1 / largest_factor), largest_factor);
   }
 
-  // Those whose bound is above the error. A face that has passed is not looked at again; vertices must not move meanwhile.
-  std::vector<Face_index> failing_faces()
+  // A face whose bound is above the error, and which of its edges is to be split: the next one each time, if that did not help.
+  struct Failing_face
   {
-    m_passed.resize(face_capacity(m_mesh));
-    m_bounds.assign(face_capacity(m_mesh), 0.);
+    Face_index face;
+    int attempt;
+  };
+
+  // A face that has passed is not looked at again; vertices must not move meanwhile.
+  std::vector<Failing_face> failing_faces()
+  {
+    m_records.resize(face_capacity(m_mesh));
     parallel_for<ConcurrencyTag>(
-        m_passed.size(),
+        m_records.size(),
         [&](const std::size_t i)
         {
           const Face_index f(static_cast<Face_index::size_type>(i));
@@ -94,14 +106,14 @@ public:
             look_at(f);
         },
         4, m_interruption);
-    std::vector<Face_index> failing;
+    std::vector<Failing_face> failing;
     m_largest_bound = 0;
     for (const Face_index f : m_mesh.faces())
     {
-      const Passed& passed = m_passed[f];
-      if (m_bounds[f] > 0)
-        failing.push_back(f);
-      m_largest_bound = (std::max)(m_largest_bound, m_bounds[f] > 0 ? m_bounds[f] : passed.bound);
+      const Record& record = m_records[f];
+      if (record.attempts > 0)
+        failing.push_back(Failing_face{f, record.attempts - 1});
+      m_largest_bound = (std::max)(m_largest_bound, record.bound);
     }
     return failing;
   }
@@ -110,11 +122,11 @@ public:
   double largest_bound() const { return m_largest_bound; }
 
 private:
-  // the vertices of a face that has passed
-  struct Passed
+  struct Record
   {
-    std::array<Vertex_index, 3> vertices;
-    double bound = 0; // 0 on curves
+    std::array<Vertex_index, 3> vertices; // of the face when it was looked at
+    double bound = 0;                     // 0 on curves
+    int attempts = 0; // how often it has failed with these vertices; 0: it has passed, or is hopeless
   };
 
   const Vector& point(const Vertex_index v) const { return m_mesh.point(v).point; }
@@ -129,26 +141,35 @@ private:
     const Triangle t(m_mesh.halfedge(f), m_mesh);
     std::array<Vertex_index, 3> vertices{t.a, t.b, t.c};
     std::sort(vertices.begin(), vertices.end());
-    if (m_passed[f].vertices == vertices)
+    Record& record = m_records[f];
+    if (record.vertices == vertices)
+    {
+      record.attempts += record.attempts > 0 ? 1 : 0;
       return;
+    }
     const double reach = (point(t.a) - point(t.b)).norm() + (point(t.b) - point(t.c)).norm();
     double allowed = m_error;
-    for (const Vertex_index v : {t.a, t.b, t.c})
+    for (const Vertex_index v : vertices)
       if (m_mesh.point(v).is_on_curve)
         allowed = (std::max)(allowed, m_error + m_bound.distance(point(v), reach));
     const double bound = m_bound(point(t.a), point(t.b), point(t.c), allowed);
-    if (bound <= allowed)
-      m_passed[f] = Passed{vertices, is_on_curve(t) ? 0. : bound};
-    else
-      m_bounds[f] = bound;
+    const bool is_hopeless = reach <= smallest_face * m_error;
+    record = Record{vertices, is_on_curve(t) ? 0. : bound, bound <= allowed || is_hopeless ? 0 : 1};
   }
 
+  // where the function leads nowhere, the input is the surface, as for the projection
+  struct Distance_to_input
+  {
+    const Input_surface& input;
+    double operator()(const Vector& p) const { return input.empty() ? 0. : (input.closest(p).point - p).norm(); }
+  };
+
   const Mesh& m_mesh;
-  const Deviation_bound<Function> m_bound;
+  const Distance_to_input m_to_input;
+  const Deviation_bound<Function, Distance_to_input> m_bound;
   const double m_error;
   Interruption& m_interruption;
-  std::vector<Passed> m_passed;
-  std::vector<double> m_bounds; // of the faces that fail
+  std::vector<Record> m_records; // by face
   double m_largest_bound = 0;
 };
 

@@ -15,6 +15,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_scheme.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/Vertex_fitter.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Deviation_guard.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Error_target.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Target_length.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/remeshing_parameters.h>
@@ -27,8 +28,11 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/update_metric.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -41,6 +45,7 @@ class Remesher
 {
   typedef Working_mesh<typename Embedding::Vertex_data> Mesh;
   typedef typename Mesh::Vertex Vertex;
+  typedef Deviation_guard<typename Projection::Function> Guard;
   typedef Error_target<ConcurrencyTag, Mesh, typename Projection::Function> Error_of_mesh;
 
   // Passes stop when next to nothing is left to do, which these only bound: a split halves an edge, a contraction shortens
@@ -48,7 +53,9 @@ class Remesher
   static constexpr int maximum_number_of_split_passes = 40;
   static constexpr int maximum_number_of_collapse_passes = 40;
   static constexpr int maximum_number_of_paper_rounds = 20;
-  static constexpr int maximum_number_of_error_rounds = 40;
+  static constexpr int maximum_number_of_error_rounds = 16;
+  static constexpr double largest_deviation = 1.5; // of centroids of faces while the mesh is remeshed, over the error
+  static constexpr double largest_growth_of_refinement = 8; // of the number of faces, where the surface is hopeless
 
   // The default scheme aims alternately at a little fewer and a little more faces than asked, and flips edges towards
   // valence six: contractions and splits where the mesh is least regular, which anneal its connectivity (on an ellipsoid the
@@ -74,8 +81,11 @@ public:
            const Remeshing_parameters& parameters, const double diagonal, Visitor& visitor, Interruption& interruption,
            Remeshing_result& result)
     : m_mesh(mesh), m_embedding(embedding), m_projection(projection), m_parameters(parameters), m_diagonal(diagonal), m_visitor(visitor),
-      m_interruption(interruption), m_result(result), m_split(mesh, embedding, projection, curves, interruption),
-      m_collapse(mesh, embedding, interruption), m_flip(mesh, embedding, interruption),
+      m_interruption(interruption), m_result(result),
+      m_guard(projection.function(), projection.unit(),
+              parameters.error > 0 ? largest_deviation * parameters.error : (std::numeric_limits<double>::infinity)()),
+      m_split(mesh, embedding, projection, curves, interruption),
+      m_collapse(mesh, embedding, m_guard, interruption), m_flip(mesh, embedding, m_guard, interruption),
       m_smooth(mesh, embedding, projection, curves, interruption)
   {
   }
@@ -93,8 +103,7 @@ public:
   void start_from_error(Target_length& target)
   {
     m_largest_number_of_faces = target.number_of_faces();
-    limit_number_of_faces(Error_of_mesh(m_mesh, m_projection.function(), m_projection.unit(), m_parameters.error,
-                                        m_interruption).first_number_of_faces(), target);
+    limit_number_of_faces(error_of_mesh().first_number_of_faces(), target);
   }
 
   // `target` is up to date
@@ -162,6 +171,12 @@ private:
     return moves;
   }
 
+  Error_of_mesh error_of_mesh() const
+  {
+    return Error_of_mesh(m_mesh, m_projection.function(), m_projection.input(), m_projection.unit(), m_parameters.error,
+                         m_interruption);
+  }
+
   void limit_number_of_faces(const double wanted, Target_length& target)
   {
     m_result.binding_target =
@@ -173,49 +188,45 @@ private:
   {
     if (is_settling())
       return; // the last iterations settle at a number
-    const double factor = Error_of_mesh(m_mesh, m_projection.function(), m_projection.unit(), m_parameters.error,
-                                        m_interruption).factor_of_number_of_faces();
-    limit_number_of_faces(factor * double(m_mesh.number_of_faces()), target);
+    limit_number_of_faces(error_of_mesh().factor_of_number_of_faces() * double(m_mesh.number_of_faces()), target);
     target.update(m_mesh, m_embedding);
   }
 
-  // Splits the longest edges of the faces that exceed the error until there are none, or as many faces as allowed. Each round
-  // halves edges, hence quarters their errors.
+  // Splits edges of the faces that exceed the error until there are none, or as many faces as allowed. Each round halves edges,
+  // hence quarters their errors.
   void refine_to_error()
   {
-    Error_of_mesh error(m_mesh, m_projection.function(), m_projection.unit(), m_parameters.error, m_interruption);
+    const double largest_number_of_faces =
+        (std::min)(m_largest_number_of_faces, largest_growth_of_refinement * double(m_mesh.number_of_faces()));
+    Error_of_mesh error = error_of_mesh();
+    std::vector<Edge_index> edges;
     for (int round = 0; round < maximum_number_of_error_rounds && go_further(); ++round)
     {
-      const std::vector<Edge_index> edges = longest_edges(error.failing_faces());
+      edges = edges_to_split(error.failing_faces());
       m_result.approximation_error = error.largest_bound();
-      if (edges.empty() || m_result.binding_target == Target::NUMBER_OF_FACES || go_further() == false)
+      if (edges.empty() || double(m_mesh.number_of_faces()) >= largest_number_of_faces)
         break;
-      const std::size_t before = m_split(edges);
-      m_result.number_of_splits += before;
-      if (before == 0)
-        break;
+      m_result.number_of_splits += m_split(edges);
       m_result.number_of_flips += m_flip(Flip_criterion::ANGLE);
       project_the_rest();
     }
+    if (!edges.empty() && largest_number_of_faces == m_largest_number_of_faces)
+      m_result.binding_target = Target::NUMBER_OF_FACES;
   }
 
-  // in the embedding, each once, in the order of the mesh
-  std::vector<Edge_index> longest_edges(const std::vector<Face_index>& faces) const
+  // of each face the longest in the embedding, the next if it could not be split; each once, in the order of the mesh
+  std::vector<Edge_index> edges_to_split(const std::vector<typename Error_of_mesh::Failing_face>& faces) const
   {
     std::vector<Edge_index> edges;
-    for (const Face_index f : faces)
+    for (const auto& failing : faces)
     {
-      double longest = 0;
-      Edge_index edge;
-      for (const Halfedge_index h : m_mesh.halfedges_around_face(m_mesh.halfedge(f)))
-        if (const double length = m_embedding.squared_length(m_mesh.point(m_mesh.source(h)), m_mesh.point(m_mesh.target(h)));
-            length > longest)
-        {
-          longest = length;
-          edge = m_mesh.edge(h);
-        }
-      if (longest > 0)
-        edges.push_back(edge);
+      std::array<std::pair<double, Edge_index>, 3> sides;
+      std::size_t k = 0;
+      for (const Halfedge_index h : m_mesh.halfedges_around_face(m_mesh.halfedge(failing.face)))
+        sides[k++] = {-m_embedding.squared_length(m_mesh.point(m_mesh.source(h)), m_mesh.point(m_mesh.target(h))),
+                      m_mesh.edge(h)};
+      std::sort(sides.begin(), sides.end());
+      edges.push_back(sides[std::size_t(failing.attempt % 3)].second);
     }
     std::sort(edges.begin(), edges.end());
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
@@ -420,9 +431,10 @@ private:
   Visitor& m_visitor;
   Interruption& m_interruption;
   Remeshing_result& m_result;
+  const Guard m_guard;
   const Edge_splitter<ConcurrencyTag, Embedding, Projection> m_split;
-  const Edge_collapser<ConcurrencyTag, Embedding> m_collapse;
-  const Edge_flipper<Embedding> m_flip;
+  const Edge_collapser<ConcurrencyTag, Embedding, Guard> m_collapse;
+  const Edge_flipper<Embedding, Guard> m_flip;
   const Vertex_smoother<ConcurrencyTag, Embedding, Projection> m_smooth;
   unsigned int m_iteration = 0;
   double m_length_factor = first_length_factor;

@@ -50,6 +50,7 @@ public:
   double orientation() const { return m_orientation; }
 
   const Function& function() const { return m_function; }
+  const Input_surface& input() const { return m_input; }
   double unit() const { return m_unit; }
 
   // whether `project()` would hardly move the point: from a last step of 1e-5 of the diagonal, ten thousand times the distance

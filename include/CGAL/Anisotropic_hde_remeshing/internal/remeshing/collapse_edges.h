@@ -30,7 +30,7 @@ namespace Anisotropic_hde_remeshing {
 namespace internal {
 
 // Contracts edges to one of their ends, which lies on the surface already: no projection is needed (the paper's figure 3).
-template <typename ConcurrencyTag, typename Embedding>
+template <typename ConcurrencyTag, typename Embedding, typename Guard>
 class Edge_collapser
 {
   typedef Working_mesh<typename Embedding::Vertex_data> Mesh;
@@ -40,8 +40,8 @@ class Edge_collapser
   static constexpr double smallest_chord = 0.85;
 
 public:
-  Edge_collapser(Mesh& mesh, const Embedding& embedding, Interruption& interruption)
-    : m_mesh(mesh), m_embedding(embedding), m_interruption(interruption)
+  Edge_collapser(Mesh& mesh, const Embedding& embedding, const Guard& guard, Interruption& interruption)
+    : m_mesh(mesh), m_embedding(embedding), m_guard(guard), m_interruption(interruption)
   {
   }
 
@@ -93,7 +93,31 @@ private:
     if ((std::min)(to_target, to_source) == (std::numeric_limits<double>::max)() ||
         !CGAL::Euler::does_satisfy_link_condition(e, m_mesh.graph()))
       return false;
-    contract(to_target <= to_source ? h : g);
+    const bool is_to_target = to_target <= to_source;
+    const Halfedge_index best = is_to_target ? h : g, other = is_to_target ? g : h;
+    if (accepts_faces(best))
+      contract(best);
+    else if ((std::max)(to_target, to_source) < (std::numeric_limits<double>::max)() && accepts_faces(other))
+      contract(other);
+    else
+      return false;
+    return true;
+  }
+
+  // whether the guard accepts all faces that contracting h to its target makes
+  bool accepts_faces(const Halfedge_index h) const
+  {
+    if (!m_guard.is_active())
+      return true;
+    const Vertex_index kept = m_mesh.target(h);
+    for (const Halfedge_index in : m_mesh.halfedges_around_target(m_mesh.opposite(h)))
+    {
+      if (m_mesh.is_border(in))
+        continue;
+      const Triangle t(in, m_mesh);
+      if (t.a != kept && t.c != kept && !m_guard.accepts(m_mesh.point(t.a), m_mesh.point(kept), m_mesh.point(t.c)))
+        return false;
+    }
     return true;
   }
 
@@ -188,6 +212,7 @@ private:
 
   Mesh& m_mesh;
   const Embedding& m_embedding;
+  const Guard& m_guard;
   Interruption& m_interruption;
 };
 

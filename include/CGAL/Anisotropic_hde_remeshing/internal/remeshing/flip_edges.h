@@ -31,7 +31,7 @@ enum class Flip_criterion
 };
 
 // Flips edges where the criterion gains, in passes over the edges whose surroundings have changed.
-template <typename Embedding>
+template <typename Embedding, typename Guard>
 class Edge_flipper
 {
   typedef Working_mesh<typename Embedding::Vertex_data> Mesh;
@@ -44,8 +44,8 @@ class Edge_flipper
   static constexpr double largest_cosine_of_valence_flip = 0.9659258262890683;
 
 public:
-  Edge_flipper(Mesh& mesh, const Embedding& embedding, Interruption& interruption)
-    : m_mesh(mesh), m_embedding(embedding), m_interruption(interruption)
+  Edge_flipper(Mesh& mesh, const Embedding& embedding, const Guard& guard, Interruption& interruption)
+    : m_mesh(mesh), m_embedding(embedding), m_guard(guard), m_interruption(interruption)
   {
   }
 
@@ -157,7 +157,8 @@ private:
     if (after < Face_guard::smallest_cosine &&
         !Face_guard::accepts(after, (std::min)(Face_guard::quality(a, b, c), Face_guard::quality(b, a, d))))
       return false;
-    return q.c != q.d && !m_mesh.halfedge(q.c, q.d).is_valid() && m_mesh.degree(q.a) > 3 && m_mesh.degree(q.b) > 3;
+    return q.c != q.d && !m_mesh.halfedge(q.c, q.d).is_valid() && m_mesh.degree(q.a) > 3 && m_mesh.degree(q.b) > 3 &&
+           m_guard.accepts(c, a, d) && m_guard.accepts(d, b, c);
   }
 
   void push_surroundings(const Edge_index e, std::vector<char>& is_queued, std::vector<Edge_index>& queue) const
@@ -176,6 +177,7 @@ private:
 
   Mesh& m_mesh;
   const Embedding& m_embedding;
+  const Guard& m_guard;
   Interruption& m_interruption;
 };
 

@@ -82,8 +82,13 @@ private:
 
   Eigen::Matrix2d metric_of_curvature(const Vertex_index v) const
   {
-    const Eigen::Matrix2d metric = m_metric.of_shape_operator(shape_operator_at(v, m_mesh));
-    return m_length > 0 ? bounded_metric(metric, m_least, m_largest) : metric;
+    const Eigen::Matrix2d shape_operator = shape_operator_at(v, m_mesh);
+    const Eigen::Matrix2d metric = m_metric.of_shape_operator(shape_operator);
+    if (!(m_length > 0))
+      return metric;
+    // along t the normal turns by |S t|
+    const Eigen::Matrix2d of_turn = square(m_length / m_metric.turn()) * shape_operator * shape_operator;
+    return bounded_metric(metric_intersection(metric, of_turn), m_least, m_largest);
   }
 
   // sweeps from vertices to their neighbours until little changes
