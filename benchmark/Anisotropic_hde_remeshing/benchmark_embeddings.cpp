@@ -14,9 +14,10 @@
 // MESH is a file, remeshed through its RBF, from whose zero set distances are measured. An EMBEDDING is
 // a number, sigma of the paper's embedding as a fraction of the diagonal D; `auto`, the adaptive one; or `p` and a number or
 // `inf`, the metric of the curvature; with an `f` behind, the vertices are fitted to the surface in the end; or `e` and a number, the error
-// asked for as a fraction of D, whatever FACES is. Distances are printed over D and, in brackets, over the asymptotic bound; normals in degrees.
+// asked for as a fraction of D, whatever FACES is, beside the faces that CGAL's isotropic_remeshing needs for it. Distances are printed over D and, in brackets, over the asymptotic bound; normals in degrees.
 
 #include "exact_surfaces.h"
+#include "isotropic_remeshing.h"
 #include "seconds_of.h"
 #include "shapes.h"
 
@@ -31,10 +32,11 @@
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Polygon_mesh_processing/repair.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdlib>
 #include <exception>
-#include <algorithm>
 #include <iomanip>
 #include <iostream>
 #include <limits>
@@ -48,6 +50,27 @@ namespace Hde = CGAL::Anisotropic_hde_remeshing;
 namespace PMP = CGAL::Polygon_mesh_processing;
 
 typedef CGAL::Parallel_if_available_tag Tag;
+
+// how many faces isotropic_remeshing needs so that its faces are nearer than `error`; as many as four times the input's are tried
+template <typename Distance>
+std::size_t isotropic_faces_for(const Mesh& input, const Distance& exact, const double error)
+{
+  static constexpr int steps = 9;
+  std::size_t few = 100, many = 4 * std::size_t(input.number_of_faces()), result = 0;
+  for (int i = 0; i < steps; ++i)
+  {
+    const std::size_t middle = std::size_t(std::sqrt(double(few) * double(many)));
+    const Mesh mesh = isotropically_remeshed(input, length_of_edges(input, middle));
+    if (Hde::measure_distance_to_zero_set<Tag>(mesh, exact).face_max > error)
+      few = middle;
+    else
+    {
+      many = middle;
+      result = mesh.number_of_faces();
+    }
+  }
+  return result > 0 ? result : many;
+}
 
 // `fine` stands for the surface where its points are to be near the mesh
 template <typename Function, typename Distance, typename NamedParameters>
@@ -74,10 +97,14 @@ void run(const Mesh& input, const Mesh& fine, const Function& function, const Di
             << max / bounds.max_on_surface << ")  normals " << std::setprecision(3) << normal_deviation(mesh, exact)
             << "  folds " << Hde::measure_embedding(mesh, exact).number_of_folded_faces << "  valence 6 "
             << topology.valence_6_share << std::setprecision(3);
-  if (result.approximation_error > 0)
+  if (name[0] == 'e')
+  {
+    const double error = std::stod(name.substr(1)) * diagonal;
+    const std::size_t isotropic = isotropic_faces_for(input, exact, error);
     std::cout << "  error at most " << std::scientific << result.approximation_error / diagonal << std::fixed
-              << ", faces over the bound's "
-              << mesh.number_of_faces() * std::stod(name.substr(1)) * diagonal / (bounds.max_on_surface * mesh.number_of_faces());
+              << ", faces over the bound's " << error / bounds.max_on_surface << ", over the "
+              << isotropic << " of isotropic_remeshing " << double(mesh.number_of_faces()) / double(isotropic);
+  }
   std::cout << std::setprecision(2) << "  " << seconds << " s" << std::endl;
 }
 

@@ -111,6 +111,15 @@ descriptors; if none are given, all elements are replaced: descriptors become in
     \cgalParamType{a number, not negative}
     \cgalParamDefault{0.01}
   \cgalParamNEnd
+  \cgalParamNBegin{embedding}
+    \cgalParamDescription{in what the mesh becomes uniform and isotropic, in place of the paper's embedding: excludes `sigma` and
+                          `relative_sigma`. `Anisotropic_hde_remeshing::Curvature_metric` for a small distance to the surface,
+                          `Anisotropic_hde_remeshing::Adaptive_normal_embedding`, where no scale is known,
+                          `Anisotropic_hde_remeshing::Scalar_field_embedding`, where a field is to be resolved}
+    \cgalParamType{a model of `RemeshingEmbedding`}
+    \cgalParamDefault{`Anisotropic_hde_remeshing::Normal_embedding` with \f$ \sigma \f$; with an approximation error, unless sigma is
+                      given, `Anisotropic_hde_remeshing::Curvature_metric` with \f$ p = \infty \f$}
+  \cgalParamNEnd
   \cgalParamNBegin{target_edge_length}
     \cgalParamDescription{the length that the edges shall have in \f$ R^6 \f$, in the unit of the mesh}
     \cgalParamType{a number, positive}
@@ -125,6 +134,28 @@ descriptors; if none are given, all elements are replaced: descriptors become in
     \cgalParamDescription{how many faces the result shall have; excludes a target length}
     \cgalParamType{an integer, at least 1}
     \cgalParamDefault{as many as it had}
+  \cgalParamNEnd
+  \cgalParamNBegin{approximation_error}
+    \cgalParamDescription{the largest distance that the faces shall have from the surface, in the unit of the mesh: the mesh gets
+                          about as few faces as it takes, and at most `number_of_target_faces`, if that is given, too. In the end
+                          the distance is measured at the points of a grid on every face, bounded in between by second
+                          differences (see `Anisotropic_hde_remeshing::Remeshing_result::approximation_error`), and faces are
+                          split until the bound holds or they are hopelessly small. Faces at boundary and constrained curves may
+                          be as much further away as these are. Excludes a target length.}
+    \cgalParamType{a number, positive}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
+  \cgalParamNBegin{relative_approximation_error}
+    \cgalParamDescription{the same as a share of the diagonal of the bounding box; excludes `approximation_error`}
+    \cgalParamType{a number, positive}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
+  \cgalParamNBegin{fit_to_surface}
+    \cgalParamDescription{whether the vertices leave the surface in the end, along their normals, to where the integral of the
+                          squared distance between faces and surface is least: about a quarter of the root mean square where
+                          the surface is curved to one side. Vertices of curves and fixed ones stay.}
+    \cgalParamType{bool}
+    \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_iterations}
     \cgalParamDescription{how often the sequence of operations is done; 0 only projects the vertices}

@@ -108,6 +108,38 @@ done
 check "constants" run 0 $sphere c.off $quick --smoothing-ratio 0.5 --collapse-ratio 0.7 --split-ratio 1.4 \
   --relaxation-steps 2
 check "scheme of the paper" run 0 $sphere p.off --scheme paper $quick
+check "metric" run 0 $sphere m.off --metric 2 --faces 1500 --fit --no-distance
+check "it is named" grep -q 'metric of the curvature, p = 2' stdout
+check "no 6D lengths in it" [ "$(grep -c '6D' stdout)" -eq 0 ]
+check "metric inf" run 0 $sphere mi.off --metric inf $quick
+check "adaptive sigma" run 0 $sphere a.off --sigma auto $quick
+check "error" run 0 $sphere e.off --error 2e-3 --no-distance
+check "it is kept" grep -q '^the error asked for is kept$' stdout
+check "error and faces" run 0 $sphere ef.off --absolute-error 1e-5 --faces 500 --no-distance
+check "the number of faces is reached first" grep -q '^the number of faces was reached before' stdout
+{
+  echo "ply"
+  echo "format ascii 1.0"
+  echo "element vertex $(grep -c '^v ' sphere.obj)"
+  printf 'property float %s\n' x y z heat
+  echo "element face $(grep -c '^f ' sphere.obj)"
+  echo "property list uchar int vertex_indices"
+  echo "end_header"
+  awk '$1 == "v" { print $2, $3, $4, ($4 > 0 ? $4 : -$4) }' sphere.obj
+  awk '$1 == "f" { split($2, a, "/"); split($3, b, "/"); split($4, c, "/"); print 3, a[1] - 1, b[1] - 1, c[1] - 1 }' sphere.obj
+} >heat.ply
+check "field" run 0 heat.ply f.off --field heat --tau .2 $quick
+check "it is named" grep -q 'field heat with tau' stdout
+refuses 1 "cold" heat.ply precious.off --field cold
+refuses 1 "needs a PLY file" $sphere precious.off --field heat
+refuses 2 "needs|requires" $sphere precious.off --tau 1
+refuses 1 "from 1 to inf" $sphere precious.off --metric .5
+refuses 1 "from 1 to inf" $sphere precious.off --metric nan
+refuses 2 "Could not convert" $sphere precious.off --metric two
+refuses 2 "Could not convert" $sphere precious.off --sigma automatic
+refuses 2 "excludes" $sphere precious.off --metric 2 --sigma .1
+refuses 2 "excludes" $sphere precious.off --error .1 --length 1
+refuses 1 "above 0" $sphere precious.off --error 0
 check "self-intersections" run 0 $sphere s.off --self-intersections $quick
 check "their row" grep -Eq '^pairs of faces that intersect +0 +0$' stdout
 check "quiet" run 0 $sphere q.off --quiet $quick

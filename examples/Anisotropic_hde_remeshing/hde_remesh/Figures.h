@@ -10,6 +10,7 @@
 #define HDE_REMESH_FIGURES_H
 
 #include <CGAL/Anisotropic_hde_remeshing/Measures.h>
+#include <CGAL/Anisotropic_hde_remeshing/approximation_bounds.h>
 
 #include <cstddef>
 #include <optional>
@@ -27,6 +28,7 @@ struct Figures
   Hde::Embedding_measures embedding_to_target; // shares relative to the length aimed at
   Hde::Alignment_measures alignment;
   Hde::Zero_set_measures zero_set;
+  Hde::Approximation_bounds bounds;
   std::optional<std::size_t> self_intersections; // pairs of faces, if they were asked for
 };
 

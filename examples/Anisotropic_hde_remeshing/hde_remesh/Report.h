@@ -28,9 +28,11 @@ struct Report
 {
   std::string input, output, version;
   std::size_t number_of_isolated_vertices = 0;
-  std::string kernel, scheme;
+  std::string kernel, scheme, embedding;
+  bool has_6d_lengths = true; // the embedding is the paper's
   double diagonal = 0; // of the bounding box of the input
   std::optional<std::size_t> number_of_target_faces;
+  std::optional<double> error; // asked for
   Hde::Remeshing_result result;
   Hde::Rbf_diagnostics rbf;
   Figures before, after;

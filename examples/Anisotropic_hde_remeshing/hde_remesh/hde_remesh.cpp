@@ -155,6 +155,9 @@ void describe(const Options& options, const Checked_mesh& input, const Sizes& si
   report.number_of_isolated_vertices = input.number_of_isolated_vertices;
   report.kernel = remeshed.kernel;
   report.scheme = options.scheme;
+  report.embedding = embedding_text(sizes, options);
+  report.has_6d_lengths = has_6d_lengths(sizes, options);
+  report.error = sizes.error;
   report.diagonal = diagonal(input.mesh);
   report.number_of_target_faces = sizes.number_of_faces;
   report.result = remeshed.result;

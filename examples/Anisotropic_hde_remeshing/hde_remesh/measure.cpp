@@ -58,6 +58,7 @@ Figures measure(const Mesh& mesh, const Function_view& function, const double si
   figures.embedding_to_target = Hde::measure_embedding<Tag>(mesh, function, np.target_edge_length(target_edge_length));
   figures.alignment = Hde::measure_alignment<Tag>(mesh, function);
   figures.zero_set = Hde::measure_distance_to_zero_set<Tag>(mesh, function);
+  figures.bounds = Hde::approximation_bounds<Tag>(mesh, function);
   if (with_self_intersections)
     figures.self_intersections = number_of_self_intersections(mesh);
   return figures;

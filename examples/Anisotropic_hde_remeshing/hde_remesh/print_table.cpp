@@ -100,6 +100,14 @@ private:
   void print_embedding(const Hde::Embedding_measures& before, const Hde::Embedding_measures& after)
   {
     const Hde::Embedding_measures& to_target = m_report.after.embedding_to_target;
+    if (m_report.has_6d_lengths)
+      print_lengths(before, after, to_target);
+    row("folded faces", text(before.number_of_folded_faces), text(after.number_of_folded_faces));
+  }
+
+  void print_lengths(const Hde::Embedding_measures& before, const Hde::Embedding_measures& after,
+                     const Hde::Embedding_measures& to_target)
+  {
     row("6D edge length, mean m", number(before.edge_length_mean, 5), number(after.edge_length_mean, 5));
     row("6D edge lengths in [.7, 1.41] m", percent(before.share_within_sqrt_2), percent(after.share_within_sqrt_2));
     row("6D edge lengths in [.5, 1.5] m", percent(before.share_within_half), percent(after.share_within_half));
@@ -108,7 +116,6 @@ private:
     row("least 6D angle of a face, mean, degrees", fixed(before.minimum_angle_mean, 2),
         fixed(after.minimum_angle_mean, 2));
     row("least 6D angle of all", fixed(before.minimum_angle_least, 2), fixed(after.minimum_angle_least, 2));
-    row("folded faces", text(before.number_of_folded_faces), text(after.number_of_folded_faces));
   }
 
   void print_alignment(const Hde::Alignment_measures& before, const Hde::Alignment_measures& after)
@@ -132,6 +139,17 @@ private:
          after.zero_set.boundary_vertex_max);
     both("faces to the zero set, rms", before.zero_set.face_rms, after.zero_set.face_rms);
     both("faces to the zero set, largest", before.zero_set.face_max, after.zero_set.face_max);
+    // how much further than the best mesh of as many faces with vertices on the surface
+    const auto over_bound = [](const double distance, const double bound)
+    { return bound > 0 ? fixed(distance / bound, 2) : std::string("-"); };
+    row("rms over the least possible, asymptotically",
+        over_bound(before.zero_set.face_rms, before.bounds.rms_on_surface),
+        over_bound(after.zero_set.face_rms, after.bounds.rms_on_surface));
+    row("largest distance over the least possible",
+        over_bound(before.zero_set.face_max, before.bounds.max_on_surface),
+        over_bound(after.zero_set.face_max, after.bounds.max_on_surface));
+    if (m_report.error)
+      row("bound on the distance, without curves", "-", relative(m_report.result.approximation_error));
     if (!m_report.distance)
       return;
     const Hde::Distance_measures& distance = *m_report.distance;
@@ -165,7 +183,14 @@ private:
              << " offsets shortened\n";
     m_stream << "remeshing: " << result.number_of_iterations << " iterations, " << result.number_of_splits
              << " splits, " << result.number_of_collapses << " contractions, " << result.number_of_flips
-             << " flips; sigma " << number(result.sigma, 5) << '\n';
+             << " flips; " << m_report.embedding << '\n';
+    if (m_report.error)
+      m_stream << (result.approximation_error <= *m_report.error * (1 + 1e-12)
+                       ? "the error asked for is kept"
+                   : result.binding_target == Hde::Target::NUMBER_OF_FACES
+                       ? "the number of faces was reached before the error asked for"
+                       : "the error asked for is not kept: the function has no surface near some faces")
+               << '\n';
     m_stream << "projections: " << result.projections.newton << " by Newton's method, " << result.projections.bisection
              << " by bisection, " << result.projections.closest_point << " by the closest point of the input\n";
     m_stream << "D = " << number(m_report.diagonal, 6) << ", the diagonal of the bounding box\n";

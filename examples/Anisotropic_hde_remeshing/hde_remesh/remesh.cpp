@@ -11,24 +11,76 @@
 #include "build_function.h"
 #include "remesh_with.h"
 
+#include <limits>
+#include <sstream>
+#include <string>
+
 namespace hde_remesh {
 
 namespace {
 
+enum class Embedding
+{
+  NORMALS,
+  FIELD,
+  ADAPTIVE_SIGMA,
+  METRIC
+};
+
+Embedding embedding_of(const Sizes& sizes, const Options& o)
+{
+  if (!o.field.empty())
+    return Embedding::FIELD;
+  if (o.adaptive_sigma)
+    return Embedding::ADAPTIVE_SIGMA;
+  const bool has_sigma = o.sigma || o.absolute_sigma;
+  return o.metric || (sizes.error && !has_sigma) ? Embedding::METRIC : Embedding::NORMALS;
+}
+
 Remeshing_result remesh_with_embedding(Mesh& mesh, const Function_view& function, const Sizes& sizes, const Options& o,
                                        Progress& progress)
 {
-  const bool has_sigma = o.sigma || o.absolute_sigma;
-  if (!o.field.empty())
+  switch (embedding_of(sizes, o))
+  {
+  case Embedding::FIELD:
     return remesh_with_field(mesh, function, sizes, o, progress);
-  if (o.adaptive_sigma)
+  case Embedding::ADAPTIVE_SIGMA:
     return remesh_with_adaptive_sigma(mesh, function, sizes, o, progress);
-  if (o.metric || (sizes.error && !has_sigma))
+  case Embedding::METRIC:
     return remesh_with_metric(mesh, function, sizes, o, progress);
+  case Embedding::NORMALS:
+    break;
+  }
   return remesh_with_normals(mesh, function, sizes, o, progress);
 }
 
 } // namespace
+
+std::string embedding_text(const Sizes& sizes, const Options& options)
+{
+  std::ostringstream text;
+  switch (embedding_of(sizes, options))
+  {
+  case Embedding::FIELD:
+    text << "sigma " << sizes.sigma << ", field " << options.field << " with tau " << sizes.tau;
+    break;
+  case Embedding::ADAPTIVE_SIGMA:
+    text << "sigma 1 / sqrt|K|";
+    break;
+  case Embedding::METRIC:
+    text << "metric of the curvature, p = " << options.metric.value_or(std::numeric_limits<double>::infinity());
+    break;
+  case Embedding::NORMALS:
+    text << "sigma " << sizes.sigma;
+    break;
+  }
+  return text.str();
+}
+
+bool has_6d_lengths(const Sizes& sizes, const Options& options)
+{
+  return embedding_of(sizes, options) == Embedding::NORMALS;
+}
 
 Remeshed remesh(const Mesh& mesh, const Sizes& sizes, const Options& options, Progress& progress)
 {

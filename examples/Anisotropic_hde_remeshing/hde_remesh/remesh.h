@@ -44,6 +44,10 @@ struct Remeshed
 };
 
 // Builds the function with the kernel asked for and remeshes a copy of the mesh.
+// the embedding in words, and whether it is the paper's
+std::string embedding_text(const Sizes& sizes, const Options& options);
+bool has_6d_lengths(const Sizes& sizes, const Options& options);
+
 Remeshed remesh(const Mesh& mesh, const Sizes& sizes, const Options& options, Progress& progress);
 
 } // namespace hde_remesh

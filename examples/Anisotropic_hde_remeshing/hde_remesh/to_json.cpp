@@ -67,13 +67,22 @@ Json to_json(const Hde::Zero_set_measures& m)
           {"samples", m.number_of_samples}};
 }
 
+Json to_json(const Hde::Approximation_bounds& m)
+{
+  return {{"rms_on_surface", m.rms_on_surface},
+          {"rms_off_surface", m.rms_off_surface},
+          {"max_on_surface", m.max_on_surface},
+          {"max_off_surface", m.max_off_surface}};
+}
+
 Json to_json(const Figures& figures)
 {
   Json json = {{"topology", to_json(figures.topology)},
                {"aspect_ratio", to_json(figures.shape)},
                {"embedding", to_json(figures.embedding, figures.embedding_to_target)},
                {"alignment", to_json(figures.alignment)},
-               {"distance_to_zero_set", to_json(figures.zero_set)}};
+               {"distance_to_zero_set", to_json(figures.zero_set)},
+               {"least_distance_possible", to_json(figures.bounds)}};
   if (figures.self_intersections)
     json["self_intersections"] = *figures.self_intersections;
   return json;
@@ -139,6 +148,13 @@ std::string to_json(const Report& report)
                {"isolated_vertices", report.number_of_isolated_vertices}};
   if (report.number_of_target_faces)
     json["target_faces"] = *report.number_of_target_faces;
+  json["embedding"] = report.embedding;
+  if (report.error)
+  {
+    json["error"] = *report.error;
+    json["error_bound"] = report.result.approximation_error;
+    json["error_is_kept"] = report.result.approximation_error <= *report.error * (1 + 1e-12);
+  }
   json["target_edge_length"] = report.result.target_edge_length;
   json["before"] = to_json(report.before);
   json["after"] = to_json(report.after);

@@ -161,7 +161,8 @@ public:
     const double weight = distance_constant(curvatures[0] / absolute[0], curvatures[1] / absolute[1]);
     const Eigen::Vector2d eigenvalues =
         std::pow(weight, 1 + 2 * exponent()) * std::pow(absolute[0] * absolute[1], exponent()) * absolute;
-    return solver.eigenvectors() * eigenvalues.asDiagonal() * solver.eigenvectors().transpose();
+    const Eigen::Matrix2d metric = solver.eigenvectors() * eigenvalues.asDiagonal() * solver.eigenvectors().transpose();
+    return 0.5 * (metric + metric.transpose());
   }
 
 private:
@@ -216,7 +217,7 @@ public:
     const Eigen::Matrix2d square = shape_operator * shape_operator;
     const double gauss_curvature = std::abs(shape_operator.determinant());
     return Eigen::Matrix2d::Identity() +
-           square / (gauss_curvature + smallest_ratio * square.trace() + smallest_curvature * smallest_curvature);
+           0.5 * (square + square.transpose()) / (gauss_curvature + smallest_ratio * square.trace() + smallest_curvature * smallest_curvature);
   }
 };
 

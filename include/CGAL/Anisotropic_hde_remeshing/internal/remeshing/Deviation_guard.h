@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
@@ -27,11 +28,11 @@ template <typename Function>
 class Deviation_guard
 {
 public:
-  // `unit` of the coordinates, in that of the function; an infinite distance stands for none
-  Deviation_guard(const Function& function, const double unit, const double largest_distance)
-    : m_distance(function, unit), m_largest(largest_distance)
-  {
-  }
+  // `unit` of the coordinates, in that of the function
+  Deviation_guard(const Function& function, const double unit) : m_distance(function, unit) {}
+
+  // before, it accepts all
+  void set_largest_distance(const double distance) { m_largest = distance; }
 
   bool is_active() const { return std::isfinite(m_largest); }
 
@@ -46,7 +47,7 @@ public:
 
 private:
   const Surface_distance<Function> m_distance;
-  const double m_largest;
+  double m_largest = (std::numeric_limits<double>::infinity)();
 };
 
 } // namespace internal

@@ -82,8 +82,7 @@ public:
            Remeshing_result& result)
     : m_mesh(mesh), m_embedding(embedding), m_projection(projection), m_parameters(parameters), m_diagonal(diagonal), m_visitor(visitor),
       m_interruption(interruption), m_result(result),
-      m_guard(projection.function(), projection.unit(),
-              parameters.error > 0 ? largest_deviation * parameters.error : (std::numeric_limits<double>::infinity)()),
+      m_guard(projection.function(), projection.unit()),
       m_split(mesh, embedding, projection, curves, interruption),
       m_collapse(mesh, embedding, m_guard, interruption), m_flip(mesh, embedding, m_guard, interruption),
       m_smooth(mesh, embedding, projection, curves, interruption)
@@ -181,7 +180,11 @@ private:
   {
     m_result.binding_target =
         wanted < m_largest_number_of_faces ? Target::APPROXIMATION_ERROR : Target::NUMBER_OF_FACES;
-    target.set_number_of_faces((std::max)((std::min)(wanted, m_largest_number_of_faces), 4.));
+    const double number_of_faces = (std::max)((std::min)(wanted, m_largest_number_of_faces), 4.);
+    target.set_number_of_faces(number_of_faces);
+    // where the number binds, the error cannot be kept
+    m_guard.set_largest_distance(wanted > m_largest_number_of_faces ? (std::numeric_limits<double>::infinity)()
+                                                                    : largest_deviation * m_parameters.error);
   }
 
   void approach_error(Target_length& target)
@@ -204,8 +207,11 @@ private:
     {
       edges = edges_to_split(error.failing_faces());
       m_result.approximation_error = error.largest_bound();
-      if (edges.empty() || double(m_mesh.number_of_faces()) >= largest_number_of_faces)
+      const double room = (largest_number_of_faces - double(m_mesh.number_of_faces())) / 2; // an edge splits two faces
+      if (edges.empty() || room < 1)
         break;
+      if (double(edges.size()) > room)
+        edges.resize(std::size_t(room));
       m_result.number_of_splits += m_split(edges);
       m_result.number_of_flips += m_flip(Flip_criterion::ANGLE);
       project_the_rest();
@@ -431,7 +437,7 @@ private:
   Visitor& m_visitor;
   Interruption& m_interruption;
   Remeshing_result& m_result;
-  const Guard m_guard;
+  Guard m_guard;
   const Edge_splitter<ConcurrencyTag, Embedding, Projection> m_split;
   const Edge_collapser<ConcurrencyTag, Embedding, Guard> m_collapse;
   const Edge_flipper<Embedding, Guard> m_flip;

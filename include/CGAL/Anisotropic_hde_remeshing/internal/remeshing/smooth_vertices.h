@@ -151,7 +151,7 @@ private:
   bool move(const Vertex_index v, Vertex& state) const
   {
     const Tangent_frame frame = tangent_frame(state.normal);
-    Surroundings around{Centroid(m_embedding, state, frame)};
+    Surroundings around(Centroid(m_embedding, state, frame));
     if (!gather(v, state, frame, around))
       return false;
     const Eigen::Matrix2d shape_operator = around.shape_operator();
@@ -179,6 +179,8 @@ private:
   // what a vertex sees of its neighbours
   struct Surroundings
   {
+    explicit Surroundings(const Centroid& empty) : centroid(empty) {}
+
     Centroid centroid;
     Shape_operator_estimate shape_operator;
     double squared_radius = (std::numeric_limits<double>::max)(); // of the nearest neighbour
