@@ -132,7 +132,7 @@ check "field" run 0 heat.ply f.off --field heat --tau .2 $quick
 check "it is named" grep -q 'field heat with tau' stdout
 refuses 1 "cold" heat.ply precious.off --field cold
 refuses 1 "needs a PLY file" $sphere precious.off --field heat
-refuses 2 "needs|requires" $sphere precious.off --tau 1
+refuses 2 "requires" $sphere precious.off --tau 1
 refuses 1 "from 1 to inf" $sphere precious.off --metric .5
 refuses 1 "from 1 to inf" $sphere precious.off --metric nan
 refuses 2 "Could not convert" $sphere precious.off --metric two

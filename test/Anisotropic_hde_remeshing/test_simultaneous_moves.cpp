@@ -20,16 +20,21 @@
 namespace internal = CGAL::Anisotropic_hde_remeshing::internal;
 using internal::Vector;
 using internal::Vertex_index;
-using internal::Vertex_state;
+
+struct Nothing
+{
+};
+typedef internal::Working_mesh<Nothing> Working_mesh;
+typedef Working_mesh::Vertex Vertex;
 
 // the vertices of a grid of n by n squares in the plane, each cut in two triangles
-std::vector<Vertex_index> make_grid(const int n, internal::Working_mesh& mesh)
+std::vector<Vertex_index> make_grid(const int n, Working_mesh& mesh)
 {
   std::vector<Vertex_index> vertices;
   for (int y = 0; y <= n; ++y)
     for (int x = 0; x <= n; ++x)
     {
-      Vertex_state state;
+      Vertex state;
       state.point = Vector(x, y, 0);
       state.normal = Vector(0, 0, 1);
       vertices.push_back(mesh.add_vertex(state));
@@ -48,16 +53,16 @@ template <typename ConcurrencyTag>
 void test_moves()
 {
   const int n = 8;
-  internal::Working_mesh mesh;
+  Working_mesh mesh;
   const std::vector<Vertex_index> vertices = make_grid(n, mesh);
   const auto at = [&](const int x, const int y) { return vertices[std::size_t(y * (n + 1) + x)]; };
   internal::Interruption never;
 
   // three neighbours move two units to the right: the first two keep their distance, the third folds the faces before it;
   // without it the second does, and without that the first. One elsewhere moves a little, and one is not chosen.
-  internal::Simultaneous_moves moves(mesh);
+  internal::Simultaneous_moves<Working_mesh> moves(mesh);
   moves.propose<ConcurrencyTag>([&](const Vertex_index v) { return v != at(6, 6); },
-                                [&](const Vertex_index v, Vertex_state& state)
+                                [&](const Vertex_index v, Vertex& state)
                                 {
                                   for (const int x : {1, 2, 3})
                                     if (v == at(x, 3))
@@ -69,15 +74,15 @@ void test_moves()
                                 never);
   CHECK(moves.is_moved(at(1, 3)) && moves.is_moved(at(3, 3)) && moves.is_moved(at(6, 1)));
   CHECK(!moves.is_moved(at(6, 6)) && !moves.is_moved(at(0, 0)));
-  CHECK(moves.template revert_folds<ConcurrencyTag>(never) == 3);
+  CHECK(moves.revert_folds<ConcurrencyTag>(never) == 3);
   for (const int x : {1, 2, 3})
     CHECK(!moves.is_moved(at(x, 3)) && moves.state(at(x, 3)).point == mesh.point(at(x, 3)).point);
   CHECK(moves.is_moved(at(6, 1)) && moves.state(at(6, 1)).point == Vector(6.25, 1, 0));
 
   // all together they fold nothing
-  internal::Simultaneous_moves shift(mesh);
+  internal::Simultaneous_moves<Working_mesh> shift(mesh);
   shift.propose<ConcurrencyTag>([](Vertex_index) { return true; },
-                                [](Vertex_index, Vertex_state& state)
+                                [](Vertex_index, Vertex& state)
                                 {
                                   state.point[0] += 2;
                                   return true;
