@@ -115,7 +115,7 @@ void run(const Mesh& input, const Mesh& fine, const Function& function, const Di
   const auto run_embedding = [&](const auto& embedding)
   {
     run(input, fine, function, exact, name,
-        CGAL::parameters::embedding(embedding).number_of_target_faces(faces).fit_to_surface(name.back() == 'f'));
+        CGAL::parameters::embedding(embedding).number_of_target_faces(faces).fit_to_surface(name.back() == 'f' && name != "pinf"));
   };
   if (name.substr(0, 4) == "auto")
     run_embedding(Hde::Adaptive_normal_embedding());
