@@ -39,9 +39,9 @@ const char* help_footer()
   return "Formats: OFF, OBJ, PLY and STL, by the extension of the file name. PLY and STL are written\n"
          "binary; STL keeps 7 digits only.\n"
          "Units: lengths are in the unit of the mesh, but --sigma and --error are fractions of the\n"
-         "diagonal D of the bounding box of IN. A larger sigma gives longer, thinner triangles along the bends; 0 gives\n"
-         "triangles of equal sides everywhere. Useful values of --sigma are .005 to .05 for scans and\n"
-         ".05 to .3 for smooth, simple shapes.\n\n"
+         "diagonal D of the bounding box of IN. A larger sigma gives longer, thinner triangles along\n"
+         "the bends; 0 gives triangles of equal sides everywhere. Useful values of --sigma are .005 to\n"
+         ".05 for scans and .05 to .3 for smooth, simple shapes.\n\n"
          "Examples:\n"
          "  hde_remesh bunny.off out.off                         as many triangles as before\n"
          "  hde_remesh bunny.off out.ply --faces 20000 --sigma .02\n"
@@ -54,7 +54,7 @@ const char* help_footer()
          "without exit status 0, files of these names are as they were, but where the message says so.";
 }
 
-// a number or, in its place, a word
+// `inf` is a number, too
 double number_or_infinity(const std::string& text)
 {
   double value = 0;

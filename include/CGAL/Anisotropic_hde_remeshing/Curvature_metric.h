@@ -121,8 +121,12 @@ On the error of linear interpolation and the orientation, aspect ratio, and inte
 43, 2005; Loseille and Alauzet, Continuous mesh framework, SIAM J. Numer. Anal. 49, 2011). For \f$ p = \infty \f$, \f$ |S| \f$
 itself, edges of length \f$ \sqrt{6 \varepsilon} \f$ make the largest distance about \f$ \varepsilon \f$ where the surface is curved to one side.
 
-Curvatures smaller than that of a sphere about five times as large as the surface are raised smoothly, lengths are bounded, and the
-metric changes but so fast; see `Metric_bounds`. The curvature at a vertex is estimated from the normals of its neighbours.
+The metric is weighted by the distance that a triangle which is equilateral in \f$ |S| \f$ has from a surface with these curvatures
+and signs: less at saddles, where the same triangle is nearer, and where a curvature vanishes. Without it a mesh has more faces
+there than is best.
+
+Curvatures smaller than that of a sphere about five times as large as the surface are raised smoothly, lengths
+and turns of the normal along edges are bounded, and the metric changes but so fast; see `Metric_bounds`. The curvature at a vertex is estimated from the normals of its neighbours.
 
 A length in this metric has the unit of space to the power of \f$ 1/2 + 1 / (2p + 2) \f$.
 

@@ -56,14 +56,17 @@ public:
   double first_number_of_faces() const
   {
     static constexpr double g = 0.3849002;
-    double integral = 0;
+    std::vector<double> areas(vertex_capacity(m_mesh), 0.); // a third of the faces around each vertex
     for (const Face_index f : m_mesh.faces())
     {
       const Triangle t(m_mesh.halfedge(f), m_mesh);
       const double area = 0.5 * (point(t.b) - point(t.a)).cross(point(t.c) - point(t.a)).norm();
       for (const Vertex_index v : {t.a, t.b, t.c})
-        integral += area / 3 * g * std::sqrt(std::abs(shape_operator_at(v, m_mesh).determinant()));
+        areas[v] += area / 3;
     }
+    double integral = 0;
+    for (const Vertex_index v : m_mesh.vertices())
+      integral += areas[v] * g * std::sqrt(std::abs(shape_operator_at(v, m_mesh).determinant()));
     return first_ratio_to_bound * integral / m_error;
   }
 

@@ -80,9 +80,8 @@ public:
   Remesher(Mesh& mesh, const Embedding& embedding, const Projection& projection, const Curve_network& curves,
            const Remeshing_parameters& parameters, const double diagonal, Visitor& visitor, Interruption& interruption,
            Remeshing_result& result)
-    : m_mesh(mesh), m_embedding(embedding), m_projection(projection), m_parameters(parameters), m_diagonal(diagonal), m_visitor(visitor),
-      m_interruption(interruption), m_result(result),
-      m_guard(projection.function(), projection.unit()),
+    : m_mesh(mesh), m_embedding(embedding), m_projection(projection), m_parameters(parameters), m_diagonal(diagonal),
+      m_visitor(visitor), m_interruption(interruption), m_result(result), m_guard(projection.function(), projection.unit()),
       m_split(mesh, embedding, projection, curves, interruption),
       m_collapse(mesh, embedding, m_guard, interruption), m_flip(mesh, embedding, m_guard, interruption),
       m_smooth(mesh, embedding, projection, curves, interruption)
@@ -126,7 +125,7 @@ public:
       report(1);
     }
     m_result.target_edge_length = target.length();
-    project_exactly();
+    project_exactly(all);
     if (m_interruption.is_requested())
     {
       project_the_rest();
@@ -141,22 +140,26 @@ public:
   }
 
   // all vertices of the input onto the zero set but those that are fixed or stay on their polylines
-  void project_input() { accept(exact_projections()); }
+  void project_input() { accept(exact_projections(all)); }
 
 private:
-  // the same in the end; a vertex whose last way, from one rough projection to another, would fold a face stays where it is
-  void project_exactly()
+  static bool all(Vertex_index) { return true; }
+
+  // the same in the end; a vertex whose last way, from a rough projection to the exact one, would fold a face stays where it is
+  template <typename IsChosen>
+  void project_exactly(const IsChosen& is_chosen)
   {
-    Simultaneous_moves<Mesh> moves = exact_projections();
+    Simultaneous_moves<Mesh> moves = exact_projections(is_chosen);
     moves.template revert_folds<ConcurrencyTag>(m_interruption);
     accept(moves);
   }
 
-  Simultaneous_moves<Mesh> exact_projections() const
+  template <typename IsChosen>
+  Simultaneous_moves<Mesh> exact_projections(const IsChosen& is_chosen) const
   {
     Simultaneous_moves<Mesh> moves(m_mesh);
     moves.template propose<ConcurrencyTag>(
-        [](Vertex_index) { return true; },
+        is_chosen,
         [&](const Vertex_index v, Vertex& state)
         {
           if (state.is_on_curve || state.is_fixed)
@@ -196,28 +199,38 @@ private:
   }
 
   // Splits edges of the faces that exceed the error until there are none, or as many faces as allowed. Each round halves edges,
-  // hence quarters their errors.
+  // hence quarters their errors. The last word is a measurement.
   void refine_to_error()
   {
     const double largest_number_of_faces =
         (std::min)(m_largest_number_of_faces, largest_growth_of_refinement * double(m_mesh.number_of_faces()));
     Error_of_mesh error = error_of_mesh();
-    std::vector<Edge_index> edges;
-    for (int round = 0; round < maximum_number_of_error_rounds && go_further(); ++round)
+    for (int round = 0; go_further(); ++round)
     {
-      edges = edges_to_split(error.failing_faces());
+      std::vector<Edge_index> edges = edges_to_split(error.failing_faces());
       m_result.approximation_error = error.largest_bound();
       const double room = (largest_number_of_faces - double(m_mesh.number_of_faces())) / 2; // an edge splits two faces
-      if (edges.empty() || room < 1)
+      if (!edges.empty() && room < 1 && largest_number_of_faces == m_largest_number_of_faces)
+        m_result.binding_target = Target::NUMBER_OF_FACES;
+      if (edges.empty() || room < 1 || round == maximum_number_of_error_rounds)
         break;
       if (double(edges.size()) > room)
         edges.resize(std::size_t(room));
-      m_result.number_of_splits += m_split(edges);
-      m_result.number_of_flips += m_flip(Flip_criterion::ANGLE);
-      project_the_rest();
+      refine(edges);
     }
-    if (!edges.empty() && largest_number_of_faces == m_largest_number_of_faces)
-      m_result.binding_target = Target::NUMBER_OF_FACES;
+    if (m_interruption.is_requested()) // not all faces have been measured
+      m_result.approximation_error = (std::numeric_limits<double>::infinity)();
+  }
+
+  // Splits the edges, with the new vertices exactly on the surface. The others do not move: their faces have passed.
+  void refine(const std::vector<Edge_index>& edges)
+  {
+    std::vector<char> is_old(vertex_capacity(m_mesh) + edges.size(), 0);
+    for (const Vertex_index v : m_mesh.vertices())
+      is_old[v] = 1;
+    m_result.number_of_splits += m_split(edges);
+    m_result.number_of_flips += m_flip(Flip_criterion::ANGLE);
+    project_exactly([&](const Vertex_index v) { return !is_old[v]; });
   }
 
   // of each face the longest in the embedding, the next if it could not be split; each once, in the order of the mesh
@@ -279,7 +292,7 @@ private:
         m_mesh.point(v) = moves.state(v);
   }
 
-  // where most of the vertices are exact already
+  // after an interruption: most of the vertices are exact already, and the caller waits
   void project_the_rest()
   {
     for (const Vertex_index v : m_mesh.vertices())

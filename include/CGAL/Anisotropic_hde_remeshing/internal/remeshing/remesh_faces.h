@@ -159,7 +159,8 @@ Remeshing_result remesh_faces(const FaceRange& faces, TriangleMesh& tmesh, const
   const Embedding embedding = embedding_parameter(np, origin.diagonal);
   if constexpr (std::is_same<Embedding, Normal_embedding>::value)
     result.sigma = embedding.sigma();
-  remesh<ConcurrencyTag>(mesh, embedding.in_unit(origin.unit), function, input, origin.diagonal, origin.unit, visitor, interruption, np, result);
+  remesh<ConcurrencyTag>(mesh, embedding.in_unit(origin.unit), function, input, origin.diagonal, origin.unit, visitor,
+                         interruption, np, result);
   result.was_stopped = interruption.is_requested();
   if (result.was_stopped && result.number_of_iterations == 0)
     return result; // not all vertices may be on the surface yet

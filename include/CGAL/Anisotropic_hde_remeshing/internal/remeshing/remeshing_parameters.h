@@ -95,8 +95,8 @@ template <typename NamedParameters>
 constexpr bool is_error_given = is_given<NamedParameters, internal_np::approximation_error_t> ||
                                 is_given<NamedParameters, internal_np::relative_approximation_error_t>;
 
-// the embedding that is given or, without one, for an error the metric of the largest distance, and otherwise the paper's, with sigma in the unit of the mesh or as a share of the diagonal
-// of its bounding box
+// The embedding that is given; without one the paper's, with sigma in the unit of the mesh or as a share of the diagonal of its
+// bounding box; and if only an error is given, the metric of the largest distance.
 template <typename NamedParameters>
 auto embedding_parameter(const NamedParameters& np, const double diagonal)
 {

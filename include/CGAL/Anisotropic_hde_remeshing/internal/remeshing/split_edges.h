@@ -56,14 +56,16 @@ public:
     std::vector<Candidate> candidates;
     for (const Edge_index e : edges)
       if (m_mesh.arc(m_mesh.halfedge(e)).curve != Curve_arc::untouchable)
-        candidates.push_back(candidate(e));
+        candidates.push_back(Candidate{squared_length(e), e});
     return split(std::move(candidates));
   }
 
 private:
   struct Candidate
   {
-    double squared_length = 0;
+    Candidate(const double squared_length, const Edge_index edge) : squared_length(squared_length), edge(edge) {}
+
+    double squared_length;
     Edge_index edge;
     Vertex middle;
     bool is_good = false;
@@ -87,17 +89,13 @@ private:
     return number_of_splits;
   }
 
-  Candidate candidate(const Edge_index e) const
+  double squared_length(const Edge_index e) const
   {
-    Candidate result;
-    result.squared_length =
-        m_embedding.squared_length(m_mesh.point(m_mesh.vertex(e, 0)), m_mesh.point(m_mesh.vertex(e, 1)));
-    result.edge = e;
-    return result;
+    return m_embedding.squared_length(m_mesh.point(m_mesh.vertex(e, 0)), m_mesh.point(m_mesh.vertex(e, 1)));
   }
 
   // the longest first
-  std::vector<Candidate> long_edges(const double squared_length, const std::size_t maximum) const
+  std::vector<Candidate> long_edges(const double limit, const std::size_t maximum) const
   {
     std::vector<std::pair<double, Edge_index>> edges;
     for (const Edge_index e : m_mesh.edges())
@@ -106,9 +104,8 @@ private:
         return {};
       if (m_mesh.arc(m_mesh.halfedge(e)).curve == Curve_arc::untouchable)
         continue;
-      const double length =
-          m_embedding.squared_length(m_mesh.point(m_mesh.vertex(e, 0)), m_mesh.point(m_mesh.vertex(e, 1)));
-      if (length > squared_length)
+      const double length = squared_length(e);
+      if (length > limit)
         edges.emplace_back(-length, e);
     }
     parallel_sort<ConcurrencyTag>(edges);
@@ -116,7 +113,7 @@ private:
     std::vector<Candidate> candidates;
     candidates.reserve(edges.size());
     for (const auto& edge : edges)
-      candidates.push_back(candidate(edge.second));
+      candidates.push_back(Candidate{-edge.first, edge.second});
     return candidates;
   }
 
