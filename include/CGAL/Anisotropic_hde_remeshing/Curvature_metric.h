@@ -91,8 +91,10 @@ public:
 
     void add_neighbor(const Eigen::Vector2d&, const Vertex&) {}
 
-    void add_face(const double weight, const Vertex& a, const Vertex& b)
+    // large faces weigh more than by their areas, which keeps the largest, and so the largest distances, smaller
+    void add_face(const double area, const Vertex& a, const Vertex& b)
     {
+      const double weight = area * std::sqrt(area);
       m_weight += weight;
       m_in_space += weight * ((a.point + b.point + m_center.point) / 3 - m_center.point);
     }
@@ -119,14 +121,16 @@ The metric in which a uniform mesh with vertices on the surface has the least di
 number of faces: \f$ M_p = \det |S|^{-1/(2p+2)} |S| \f$ with the absolute value \f$ |S| \f$ of the shape operator (Cao,
 On the error of linear interpolation and the orientation, aspect ratio, and internal angles of a triangle, SIAM J. Numer. Anal.
 43, 2005; Loseille and Alauzet, Continuous mesh framework, SIAM J. Numer. Anal. 49, 2011). For \f$ p = \infty \f$, \f$ |S| \f$
-itself, edges of length \f$ \sqrt{6 \varepsilon} \f$ make the largest distance about \f$ \varepsilon \f$ where the surface is curved to one side.
+itself, edges of length \f$ \sqrt{6 \varepsilon} \f$ make the largest distance about \f$ \varepsilon \f$ where the surface
+is curved to one side.
 
 The metric is weighted by the distance that a triangle which is equilateral in \f$ |S| \f$ has from a surface with these curvatures
 and signs: less at saddles, where the same triangle is nearer, and where a curvature vanishes. Without it a mesh has more faces
 there than is best.
 
-Curvatures smaller than that of a sphere about five times as large as the surface are raised smoothly, lengths
-and turns of the normal along edges are bounded, and the metric changes but so fast; see `Metric_bounds`. The curvature at a vertex is estimated from the normals of its neighbours.
+Curvatures smaller than that of a sphere about five times as large as the surface are raised smoothly, lengths and turns of the
+normal along edges are bounded, and the metric changes but so fast; see `Metric_bounds`. The curvature at a vertex is estimated
+from the normals of its neighbours.
 
 A length in this metric has the unit of space to the power of \f$ 1/2 + 1 / (2p + 2) \f$.
 
@@ -173,12 +177,13 @@ private:
   // The distance between a triangle that is equilateral in |S| and a surface with the curvatures r |k|, r from -1 to 1, relative
   // to r = 1. Root mean square, exactly: with the heights q_i of the quadratic form over the edges it is
   // ((sum q_i^2 + (sum q_i)^2) / 720)^(1/2). Largest: fitted to r = (1, 1), (1, -1) and (1, 0), in the mean over all directions
-  // of the triangle.
+  // of the triangle, and raised at saddles, where directions matter.
   double distance_constant(const double r, const double s) const
   {
     static constexpr double smallest = 0.1;
     if (std::isinf(m_p))
-      return smallest + (1 - smallest) * std::pow(std::pow(std::abs(r + s) / 2, 1.3) + std::pow(0.35 * std::abs(r - s), 1.3), 1 / 1.3);
+      return smallest + (1 - smallest) * std::pow(std::pow(0.5 * std::abs(r + s), 1.3) + std::pow(0.4 * std::abs(r - s), 1.3),
+                                                  1 / 1.3);
     return smallest + (1 - smallest) * std::sqrt((9. / 8 * (r * r + s * s) + 3. / 4 * r * s + 9. / 4 * (r + s) * (r + s)) / 12);
   }
 

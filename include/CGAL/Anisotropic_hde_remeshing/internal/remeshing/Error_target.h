@@ -37,7 +37,7 @@ class Error_target
   // The faces are about as many as the asymptotic bound for the largest distance says, times this.
   static constexpr double first_ratio_to_bound = 1.4;
   // While the mesh is remeshed, all faces but this share are to stay below the error. The rest is refined in the end.
-  static constexpr double share_refined_in_the_end = 0.03;
+  static constexpr double share_refined_in_the_end = 0.04;
   static constexpr double largest_factor = 2;
   // A face this small, twice its longest edge over the error, whose distance still exceeds the error does not lie along the surface
   // that the function has: to split it does not help.
