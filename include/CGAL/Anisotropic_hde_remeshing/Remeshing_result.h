@@ -52,6 +52,10 @@ struct Remeshing_result
   double implicit_function_seconds = 0; ///< wall time of `Stage::IMPLICIT_FUNCTION`
   double projection_seconds = 0;        ///< wall time of `Stage::PROJECTION`
   double remeshing_seconds = 0;         ///< wall time of `Stage::REMESHING`
+  double split_seconds = 0;             ///< wall time of the splits, within `Stage::REMESHING`, as the next three
+  double collapse_seconds = 0;          ///< wall time of the contractions
+  double flip_seconds = 0;              ///< wall time of the flips
+  double smoothing_seconds = 0;         ///< wall time of the smoothing
   double output_seconds = 0;            ///< wall time of `Stage::OUTPUT`
 };
 

@@ -37,7 +37,7 @@ namespace internal {
 struct Interpolation_parameters
 {
   std::size_t number_of_patches = 0; // 0: patches_of() the number of points
-  double patch_overlap = 2.5;
+  double patch_overlap = 2.25;
   double patch_blending = 0.6;
   double relative_offset = 0.05;
   double absolute_offset = 0; // 0: the relative one

@@ -13,6 +13,7 @@
 
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_result.h>
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_scheme.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/Duration.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/Vertex_fitter.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Deviation_guard.h>
@@ -228,8 +229,8 @@ private:
     std::vector<char> is_old(vertex_capacity(m_mesh) + edges.size(), 0);
     for (const Vertex_index v : m_mesh.vertices())
       is_old[v] = 1;
-    m_result.number_of_splits += m_split(edges);
-    m_result.number_of_flips += m_flip(Flip_criterion::ANGLE);
+    apply_split(edges);
+    apply_flip(Flip_criterion::ANGLE);
     project_exactly([&](const Vertex_index v) { return !is_old[v]; });
   }
 
@@ -330,7 +331,7 @@ private:
     for (unsigned int step = 0; step < steps; ++step)
     {
       flip(criterion);
-      smooth();
+      smooth(step + 1 < steps ? Smoothing_step::PREDICT : Smoothing_step::PROJECT);
       report(0.3 + 0.7 * (step + 1) / (steps + 1));
     }
     flip(criterion);
@@ -366,9 +367,7 @@ private:
   {
     for (int pass = 0; pass < maximum_number_of_split_passes && go_further(); ++pass)
     {
-      const std::size_t count = m_split(m_parameters.split_ratio * length);
-      m_result.number_of_splits += count;
-      if (is_negligible(count))
+      if (is_negligible(apply_split(m_parameters.split_ratio * length)))
         break;
     }
   }
@@ -377,9 +376,7 @@ private:
   {
     for (int pass = 0; pass < maximum_number_of_collapse_passes && go_further(); ++pass)
     {
-      const std::size_t count = m_collapse(m_parameters.collapse_ratio * length, m_parameters.split_ratio * length);
-      m_result.number_of_collapses += count;
-      if (is_negligible(count))
+      if (is_negligible(apply_collapse(m_parameters.collapse_ratio * length, m_parameters.split_ratio * length)))
         break;
     }
   }
@@ -387,13 +384,40 @@ private:
   void flip(const Flip_criterion criterion)
   {
     if (go_further())
-      m_result.number_of_flips += m_flip(criterion);
+      apply_flip(criterion);
   }
 
-  void smooth()
+  void smooth(const Smoothing_step kind = Smoothing_step::PROJECT)
   {
-    if (go_further())
-      m_smooth(m_parameters.smoothing_ratio);
+    if (!go_further())
+      return;
+    const Duration duration(m_result.smoothing_seconds);
+    m_smooth(m_parameters.smoothing_ratio, kind);
+  }
+
+  // the operations themselves, counted and timed
+  template <typename... Arguments>
+  std::size_t apply_split(const Arguments&... arguments)
+  {
+    const Duration duration(m_result.split_seconds);
+    const std::size_t count = m_split(arguments...);
+    m_result.number_of_splits += count;
+    return count;
+  }
+
+  template <typename... Arguments>
+  std::size_t apply_collapse(const Arguments&... arguments)
+  {
+    const Duration duration(m_result.collapse_seconds);
+    const std::size_t count = m_collapse(arguments...);
+    m_result.number_of_collapses += count;
+    return count;
+  }
+
+  void apply_flip(const Flip_criterion criterion)
+  {
+    const Duration duration(m_result.flip_seconds);
+    m_result.number_of_flips += m_flip(criterion);
   }
 
   unsigned int number_of_settling_iterations() const
@@ -427,9 +451,9 @@ private:
     {
       const double excess = double(m_mesh.number_of_faces()) - number_of_faces;
       if (excess >= 2)
-        m_result.number_of_collapses += m_collapse(factor * length, factor * longest * length, std::size_t(excess / 2));
+        apply_collapse(factor * length, factor * longest * length, std::size_t(excess / 2));
       else if (excess <= -2)
-        m_result.number_of_splits += m_split(length / factor, std::size_t(-excess / 2));
+        apply_split(length / factor, std::size_t(-excess / 2));
       if (!is_settling())
         break;
     }
@@ -453,7 +477,7 @@ private:
   Guard m_guard;
   const Edge_splitter<ConcurrencyTag, Embedding, Projection> m_split;
   const Edge_collapser<ConcurrencyTag, Embedding, Guard> m_collapse;
-  const Edge_flipper<Embedding, Guard> m_flip;
+  const Edge_flipper<ConcurrencyTag, Embedding, Guard> m_flip;
   const Vertex_smoother<ConcurrencyTag, Embedding, Projection> m_smooth;
   unsigned int m_iteration = 0;
   double m_length_factor = first_length_factor;

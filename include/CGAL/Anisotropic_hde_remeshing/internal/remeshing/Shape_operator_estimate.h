@@ -38,24 +38,27 @@ class Shape_operator_estimate
 public:
   void add_neighbor(const Eigen::Vector2d& edge, const Eigen::Vector2d& change_of_normal)
   {
-    Eigen::Matrix<double, 2, 3> row;
-    row << edge[0], edge[1], 0, 0, edge[0], edge[1];
-    m_normal_equations += row.transpose() * row;
-    m_right += row.transpose() * change_of_normal;
+    m_xx += edge[0] * edge[0];
+    m_xy += edge[0] * edge[1];
+    m_yy += edge[1] * edge[1];
+    m_right += Eigen::Vector3d(edge[0] * change_of_normal[0], edge[1] * change_of_normal[0] + edge[0] * change_of_normal[1],
+                               edge[1] * change_of_normal[1]);
   }
 
   Eigen::Matrix2d operator()() const
   {
-    const Eigen::Matrix3d regularised =
-        m_normal_equations + 1e-9 * m_normal_equations.trace() * Eigen::Matrix3d::Identity();
-    const Eigen::Vector3d s = regularised.inverse() * m_right;
+    // the normal equations for S_xx, S_xy and S_yy, with a ridge
+    const double ridge = 2e-9 * (m_xx + m_yy);
+    Eigen::Matrix3d matrix;
+    matrix << m_xx + ridge, m_xy, 0, m_xy, m_xx + m_yy + ridge, m_xy, 0, m_xy, m_yy + ridge;
+    const Eigen::Vector3d s = matrix.inverse() * m_right;
     Eigen::Matrix2d result;
     result << s[0], s[1], s[1], s[2];
     return result;
   }
 
 private:
-  Eigen::Matrix3d m_normal_equations = Eigen::Matrix3d::Zero();
+  double m_xx = 0, m_xy = 0, m_yy = 0; // sums of products of the coordinates of the edges
   Eigen::Vector3d m_right = Eigen::Vector3d::Zero();
 };
 

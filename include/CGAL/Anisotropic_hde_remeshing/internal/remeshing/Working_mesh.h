@@ -17,7 +17,9 @@
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/iterator.h>
 
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <iostream>
 #include <limits>
 #include <utility>
@@ -33,15 +35,22 @@ typedef SM_Halfedge_index Halfedge_index;
 typedef SM_Edge_index Edge_index;
 typedef SM_Face_index Face_index;
 
-// A vertex as the operations see it: where it is, and its unit normal, the direction of the function's gradient.
+// A vertex as the operations see it: where it is, and its unit normal, the direction of the function's gradient. 64 bytes, of
+// which sweeps read many.
 struct Vertex_state
 {
+  static constexpr std::uint32_t no_vertex = (std::numeric_limits<std::uint32_t>::max)();
+
   Vector point = Vector::Zero();
   Vector normal = Vector::Zero();
   double last_step = 0;     // of the projection; what is left of the distance to the surface is quadratic in it
+  std::uint32_t input_vertex = no_vertex; // its number in the input, if it comes from there
   bool is_on_curve = false; // of a boundary or of constrained edges, which the vertex does not leave
   bool is_fixed = false;    // never moved nor removed
-  std::size_t input_vertex = (std::numeric_limits<std::size_t>::max)(); // its number in the input, if it comes from there
+
+  // whether it was put where the surface is expected, without looking
+  bool is_predicted() const { return std::isinf(last_step); }
+  void set_predicted() { last_step = std::numeric_limits<double>::infinity(); }
 };
 
 // for the input and output that Surface_mesh declares for its points; nothing here uses them

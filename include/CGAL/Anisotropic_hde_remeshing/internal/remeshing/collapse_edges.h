@@ -12,10 +12,10 @@
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
 #include <CGAL/Anisotropic_hde_remeshing/internal/Interruption.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Curve_network.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Face_guard.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Working_mesh.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/sorted_edges.h>
 
 #include <algorithm>
 #include <array>
@@ -45,13 +45,14 @@ public:
   {
   }
 
-  // one pass over the edges shorter than `length`, the shortest first, `maximum` contractions at most; none makes an edge
-  // longer than `longest`. Returns how many it contracted.
+  // One pass over the edges shorter than `length` that may be contracted at its begin, the shortest first, `maximum` contractions
+  // at most; none makes an edge longer than `longest`. Returns how many it contracted. What may be contracted is found out in
+  // parallel, the contractions themselves are one after the other.
   std::size_t operator()(const double length, const double longest, const std::size_t maximum = std::size_t(-1)) const
   {
     const double squared_length = length * length;
     std::size_t number_of_collapses = 0;
-    for (const auto& candidate : short_edges(squared_length))
+    for (const Keyed_edge& candidate : short_edges(squared_length, longest * longest))
     {
       if (number_of_collapses == maximum || m_interruption.poll())
         break;
@@ -69,21 +70,22 @@ private:
     return m_embedding.squared_length(m_mesh.point(m_mesh.vertex(e, 0)), m_mesh.point(m_mesh.vertex(e, 1)));
   }
 
-  std::vector<std::pair<double, Edge_index>> short_edges(const double limit) const
+  std::vector<Keyed_edge> short_edges(const double limit, const double squared_longest) const
   {
-    std::vector<std::pair<double, Edge_index>> candidates;
-    for (const Edge_index e : m_mesh.edges())
-    {
-      if (m_interruption.poll())
-        return {};
-      if (m_mesh.arc(m_mesh.halfedge(e)).curve == Curve_arc::untouchable)
-        continue;
-      const double length = squared_length(e);
-      if (length < limit)
-        candidates.emplace_back(length, e);
-    }
-    parallel_sort<ConcurrencyTag>(candidates);
-    return candidates;
+    return sorted_edges<ConcurrencyTag>(m_mesh,
+                                        [&](const Edge_index e)
+                                        {
+                                          const double length = squared_length(e);
+                                          return length < limit && may_collapse(e, squared_longest) ? length : no_key;
+                                        },
+                                        m_interruption);
+  }
+
+  bool may_collapse(const Edge_index e, const double squared_longest) const
+  {
+    static constexpr double not_allowed = (std::numeric_limits<double>::max)();
+    const Halfedge_index h = m_mesh.halfedge(e);
+    return cost(h, squared_longest) < not_allowed || cost(m_mesh.opposite(h), squared_longest) < not_allowed;
   }
 
   bool collapse(const Edge_index e, const double squared_longest) const

@@ -12,6 +12,7 @@
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
 #include <CGAL/Anisotropic_hde_remeshing/internal/Interruption.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Face_guard.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Working_mesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/embedded_triangle.h>
@@ -30,8 +31,9 @@ enum class Flip_criterion
   ANGLE    // towards a larger smallest angle in the embedding
 };
 
-// Flips edges where the criterion gains, in passes over the edges whose surroundings have changed.
-template <typename Embedding, typename Guard>
+// Flips edges where the criterion gains, in passes over the edges whose surroundings have changed. Which edges of a pass gain is
+// found out in parallel, the flips themselves are one after the other.
+template <typename ConcurrencyTag, typename Embedding, typename Guard>
 class Edge_flipper
 {
   typedef Working_mesh<typename Embedding::Vertex_data> Mesh;
@@ -60,16 +62,21 @@ public:
     std::size_t number_of_flips = 0;
     for (int pass = 0; pass < maximum_number_of_passes && !queue.empty(); ++pass)
     {
+      std::vector<char> is_gain(queue.size(), 0);
+      parallel_for<ConcurrencyTag>(
+          queue.size(), [&](const std::size_t i) { is_gain[i] = gains(queue[i], criterion, valences); }, 64,
+          m_interruption);
       std::vector<Edge_index> next_queue;
-      for (const Edge_index e : queue)
+      for (std::size_t i = 0; i < queue.size(); ++i)
       {
+        const Edge_index e = queue[i];
         if (m_interruption.poll())
           return number_of_flips;
         is_queued[e] = 0;
-        const bool is_flipped =
-            criterion == Flip_criterion::VALENCE ? flip_for_valence(e, valences) : flip_for_angle(e);
-        if (!is_flipped)
+        // earlier flips may have changed it
+        if (!is_gain[i] || !gains(e, criterion, valences))
           continue;
+        flip(e, valences);
         ++number_of_flips;
         push_surroundings(e, is_queued, next_queue);
       }
@@ -101,11 +108,16 @@ private:
     return valences;
   }
 
-  bool flip_for_valence(const Edge_index e, std::vector<int>& valences) const
+  bool gains(const Edge_index e, const Flip_criterion criterion, const std::vector<int>& valences) const
   {
     if (m_mesh.is_on_curve(e))
       return false;
     const Quad q = quad(e);
+    return (criterion == Flip_criterion::VALENCE ? gains_valence(q, valences) : gains_angle(q)) && is_allowed(q);
+  }
+
+  bool gains_valence(const Quad& q, const std::vector<int>& valences) const
+  {
     const auto square = [](const int x) { return x * x; };
     const int before = square(valences[q.a] - 6) + square(valences[q.b] - 6) + square(valences[q.c] - 6) +
                        square(valences[q.d] - 6);
@@ -115,27 +127,28 @@ private:
       return false;
     double cosine_before, cosine_after;
     largest_cosines(q, cosine_before, cosine_after);
-    if (cosine_after > (std::max)(cosine_before, largest_cosine_of_valence_flip) || !is_allowed(q))
-      return false;
-    CGAL::Euler::flip_edge(m_mesh.halfedge(e), m_mesh.graph());
-    --valences[q.a];
-    --valences[q.b];
-    ++valences[q.c];
-    ++valences[q.d];
-    return true;
+    return !(cosine_after > (std::max)(cosine_before, largest_cosine_of_valence_flip));
   }
 
-  bool flip_for_angle(const Edge_index e) const
+  bool gains_angle(const Quad& q) const
   {
-    if (m_mesh.is_on_curve(e))
-      return false;
-    const Quad q = quad(e);
     double cosine_before, cosine_after;
     largest_cosines(q, cosine_before, cosine_after);
-    if (!(cosine_after < cosine_before - smallest_gain) || !is_allowed(q))
-      return false;
+    return cosine_after < cosine_before - smallest_gain;
+  }
+
+  // `valences` are empty if they do not matter
+  void flip(const Edge_index e, std::vector<int>& valences) const
+  {
+    if (!valences.empty())
+    {
+      const Quad q = quad(e);
+      --valences[q.a];
+      --valences[q.b];
+      ++valences[q.c];
+      ++valences[q.d];
+    }
     CGAL::Euler::flip_edge(m_mesh.halfedge(e), m_mesh.graph());
-    return true;
   }
 
   // the cosines of the smallest angles in the embedding of the two faces, now and after a flip

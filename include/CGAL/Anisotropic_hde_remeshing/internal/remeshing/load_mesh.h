@@ -161,7 +161,7 @@ private:
     typename Mesh::Vertex state;
     state.point = point;
     state.is_fixed = get(m_constraints.vertex_is_constrained, v);
-    state.input_vertex = m_origin.vertices.size();
+    state.input_vertex = std::uint32_t(m_origin.vertices.size());
     const std::size_t index = mesh.add_vertex(state);
     m_origin.vertices.push_back(v);
     for (Halfedge g = h; is_selected(g) && get(m_vertex_of, g) == none; g = opposite(next(g, m_tmesh), m_tmesh))

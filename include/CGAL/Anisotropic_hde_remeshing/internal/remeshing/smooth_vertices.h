@@ -32,6 +32,12 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
+enum class Smoothing_step
+{
+  PREDICT, // small steps are not projected, which the next smoothing makes good
+  PROJECT
+};
+
 // Moves every vertex towards the centroid of its surroundings in the embedding, weighted by the areas of its faces there,
 // all at once, so that the result does not depend on the order; then takes back what has folded a face.
 template <typename ConcurrencyTag, typename Embedding, typename Projection>
@@ -45,6 +51,8 @@ class Vertex_smoother
   static constexpr double largest_step = 0.5; // in 3D, of the distance to the nearest neighbour
   static constexpr int number_of_attempts = 3;
   static constexpr double negligible_step = 1e-3; // likewise: a vertex that would move less stays
+  // likewise, and of the turn of the normal in radians: up to here the curvature at hand tells where a step leads
+  static constexpr double largest_predicted_step = 0.1;
 
 public:
   Vertex_smoother(Mesh& mesh, const Embedding& embedding, const Projection& projection,
@@ -53,16 +61,18 @@ public:
   {
   }
 
-  // one simultaneous step of the share `ratio` of the vertices with the smallest angles in the embedding
-  void operator()(const double ratio = 1) const
+  // One simultaneous step of the share `ratio` of the vertices with the smallest angles in the embedding. Small steps are not
+  // projected if a next smoothing follows at once: it is as good a mesh (PREDICT, then PROJECT), and an evaluation costs more.
+  void operator()(const double ratio, const Smoothing_step kind) const
   {
     Simultaneous_moves<Mesh> moves(m_mesh);
     std::vector<double> shifts(vertex_capacity(m_mesh), 0.);
     const std::vector<char> is_chosen = choose(ratio);
     moves.template propose<ConcurrencyTag>(
-        [&](const Vertex_index v) { return (is_chosen.empty() || is_chosen[v]) && !m_mesh.point(v).is_fixed; },
+        [&](const Vertex_index v)
+        { return (is_chosen.empty() || is_chosen[v] || is_due(v, kind)) && !m_mesh.point(v).is_fixed; },
         [&](const Vertex_index v, Vertex& state)
-        { return state.is_on_curve ? slide(v, state, shifts[v]) : move(v, state); },
+        { return state.is_on_curve ? slide(v, state, shifts[v]) : move(v, state, kind); },
         m_interruption);
     moves.template revert_folds<ConcurrencyTag>(m_interruption);
     if (m_interruption.ask())
@@ -73,6 +83,12 @@ public:
   }
 
 private:
+  // to be projected, moved or not
+  bool is_due(const Vertex_index v, const Smoothing_step kind) const
+  {
+    return kind == Smoothing_step::PROJECT && m_mesh.point(v).is_predicted();
+  }
+
   // empty for all
   std::vector<char> choose(const double ratio) const
   {
@@ -148,7 +164,7 @@ private:
     return true;
   }
 
-  bool move(const Vertex_index v, Vertex& state) const
+  bool move(const Vertex_index v, Vertex& state, const Smoothing_step kind) const
   {
     const Tangent_frame frame = tangent_frame(state.normal);
     Surroundings around(Centroid(m_embedding, state, frame));
@@ -157,16 +173,17 @@ private:
     const Eigen::Matrix2d shape_operator = around.shape_operator();
     Eigen::Vector2d step = relaxation * around.centroid.tangential_step(shape_operator);
     const double length = step.norm(), radius = std::sqrt(around.squared_radius);
-    if (!(length > negligible_step * radius)) // not a number, too
+    if (!(length > negligible_step * radius || (is_due(v, kind) && std::isfinite(length))))
       return false;
     if (length > largest_step * radius)
       step *= largest_step * radius / length;
+    if (kind == Smoothing_step::PREDICT && predict(step, frame, shape_operator, radius, state))
+      return true;
     // where the surface bends too much for the step, a shorter one may lead to it; a vertex that finds none stays
     for (int attempt = 0; attempt < number_of_attempts; ++attempt, step *= 0.5)
     {
       Vertex moved = state;
-      // the surface is an osculating paraboloid up to third order
-      moved.point += frame * step - 0.5 * step.dot(shape_operator * step) * state.normal;
+      moved.point += on_paraboloid(step, frame, shape_operator, state.normal);
       if (!m_projection.find_roughly(moved, radius, 0.02 * radius))
         continue;
       m_embedding.place(moved);
@@ -174,6 +191,26 @@ private:
       return true;
     }
     return false;
+  }
+
+  // the surface is an osculating paraboloid up to third order
+  static Vector on_paraboloid(const Eigen::Vector2d& step, const Tangent_frame& frame,
+                              const Eigen::Matrix2d& shape_operator, const Vector& normal)
+  {
+    return frame * step - 0.5 * step.dot(shape_operator * step) * normal;
+  }
+
+  bool predict(const Eigen::Vector2d& step, const Tangent_frame& frame, const Eigen::Matrix2d& shape_operator,
+               const double radius, Vertex& state) const
+  {
+    const Eigen::Vector2d turn = shape_operator * step;
+    if (!(step.norm() < largest_predicted_step * radius && turn.norm() < largest_predicted_step))
+      return false;
+    state.point += on_paraboloid(step, frame, shape_operator, state.normal);
+    state.normal = (state.normal + frame * turn).normalized();
+    state.set_predicted();
+    m_embedding.place(state);
+    return true;
   }
 
   // what a vertex sees of its neighbours

@@ -16,6 +16,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Face_guard.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Surface_projection.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Working_mesh.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/sorted_edges.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -97,22 +98,17 @@ private:
   // the longest first
   std::vector<Candidate> long_edges(const double limit, const std::size_t maximum) const
   {
-    std::vector<std::pair<double, Edge_index>> edges;
-    for (const Edge_index e : m_mesh.edges())
-    {
-      if (m_interruption.poll())
-        return {};
-      if (m_mesh.arc(m_mesh.halfedge(e)).curve == Curve_arc::untouchable)
-        continue;
-      const double length = squared_length(e);
-      if (length > limit)
-        edges.emplace_back(-length, e);
-    }
-    parallel_sort<ConcurrencyTag>(edges);
+    std::vector<Keyed_edge> edges = sorted_edges<ConcurrencyTag>(m_mesh,
+                                                                 [&](const Edge_index e)
+                                                                 {
+                                                                   const double length = squared_length(e);
+                                                                   return length > limit ? -length : no_key;
+                                                                 },
+                                                                 m_interruption);
     edges.resize((std::min)(edges.size(), maximum));
     std::vector<Candidate> candidates;
     candidates.reserve(edges.size());
-    for (const auto& edge : edges)
+    for (const Keyed_edge& edge : edges)
       candidates.push_back(Candidate{-edge.first, edge.second});
     return candidates;
   }
