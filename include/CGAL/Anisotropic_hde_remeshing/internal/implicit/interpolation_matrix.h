@@ -34,17 +34,13 @@ Eigen::MatrixXd interpolation_matrix(const Eigen::Matrix<double, 3, Eigen::Dynam
   const Eigen::Index n = centres.cols();
   Eigen::MatrixXd matrix(n, n);
   const Eigen::ArrayXd x = centres.row(0), y = centres.row(1), z = centres.row(2);
-  Eigen::ArrayXd squared_radius, value, unused;
+  Eigen::ArrayXd squared_radius(n), value(n), unused(n);
+  // column by column: to mirror a triangle would be slower than to compute both
   for (Eigen::Index j = 0; j < n; ++j)
   {
-    const Eigen::Index below = n - j;
-    squared_radius =
-        (x.tail(below) - x[j]).square() + (y.tail(below) - y[j]).square() + (z.tail(below) - z[j]).square();
-    value.resize(below);
-    unused.resize(below);
+    squared_radius = (x - x[j]).square() + (y - y[j]).square() + (z - z[j]).square();
     function(squared_radius, value, unused);
-    matrix.col(j).tail(below) = RadialFunction::sign * value;
-    matrix.row(j).tail(below) = matrix.col(j).tail(below).transpose();
+    matrix.col(j) = RadialFunction::sign * value;
   }
   matrix.diagonal().array() += smoothing;
   return matrix;
