@@ -50,7 +50,7 @@ class Blending_tree
 
   // of the eigenvalues of the covariance, of which the sum is 1
   static constexpr double least_difference_of_axes = 1e-6;
-  static constexpr double offset_overlap = 0.7; // in units of the local spacing
+  static constexpr double offset_overlap = 0.8; // in units of the local spacing
   // of the points of a cell: where sampling is uneven, a slab as wide as a coarse region asks would swallow a dense one
   static constexpr double largest_share_of_slab = 0.4;
 

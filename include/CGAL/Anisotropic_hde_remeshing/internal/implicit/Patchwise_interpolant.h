@@ -37,7 +37,7 @@ namespace internal {
 struct Interpolation_parameters
 {
   std::size_t number_of_patches = 0; // 0: patches_of() the number of points
-  double patch_overlap = 2.25;
+  double patch_overlap = 2.4;
   double patch_blending = 0.6;
   double relative_offset = 0.05;
   double absolute_offset = 0; // 0: the relative one
@@ -87,8 +87,8 @@ public:
     const std::size_t number_of_patches = parameters.number_of_patches > 0
                                               ? parameters.number_of_patches
                                               : Interpolation_parameters::patches_of(m_sample->size());
-    m_tree = Blending_tree(ConcurrencyTag(), *m_sample, number_of_patches, parameters.patch_blending, parameters.patch_overlap,
-                           maximum_points_of_patch(number_of_patches, parameters), interruption);
+    m_tree = Blending_tree(ConcurrencyTag(), *m_sample, number_of_patches, parameters.patch_blending,
+                           parameters.patch_overlap, maximum_points_of_patch(number_of_patches, parameters), interruption);
     m_diagnostics.partition_seconds = timer.time();
     timer.reset();
     const Offsets offsets(*m_sample, m_tree, parameters.relative_offset, parameters.absolute_offset,
@@ -156,7 +156,7 @@ private:
   Patch_result solve_patch(const Solver_of_patch& solver, const Places& places, const Interpolation_parameters& parameters,
                            const std::size_t k)
   {
-    static constexpr double smaller_offset = 0.25, repairing_smoothing = 0.01, wider_overlap = 1.5;
+    static constexpr double smaller_offset = 0.25, repairing_smoothing = 0.01, wider_overlap = 5. / 3;
     const Blending_tree::Leaf& leaf = m_tree.leaves()[k];
     Patch_result best = attempt(solver, places, k, leaf, Patch_settings{1, parameters.smoothing}, m_patches[k]);
     const double number_of_checks = double(Patch_check::checks_of_place * places[k].size());

@@ -12,6 +12,7 @@
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
 #include <CGAL/Anisotropic_hde_remeshing/internal/Interruption.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Curve_network.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Face_guard.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Working_mesh.h>
@@ -45,20 +46,30 @@ public:
   {
   }
 
-  // One pass over the edges shorter than `length` that may be contracted at its begin, the shortest first, `maximum` contractions
-  // at most; none makes an edge longer than `longest`. Returns how many it contracted. What may be contracted is found out in
-  // parallel, the contractions themselves are one after the other.
+  // One pass over the edges shorter than `length`, the shortest first, `maximum` contractions at most; none makes an edge longer
+  // than `longest`. Returns how many it contracted. Which edges may be contracted is found out in parallel; the contractions are one
+  // after the other, and ask again only where an earlier one has changed something: the result is that of one thread.
   std::size_t operator()(const double length, const double longest, const std::size_t maximum = std::size_t(-1)) const
   {
-    const double squared_length = length * length;
+    const double squared_length = length * length, squared_longest = longest * longest;
+    const std::vector<Keyed_edge> candidates = short_edges(squared_length);
+    std::vector<char> is_refused(candidates.size(), 0), is_touched(vertex_capacity(m_mesh), 0);
+    parallel_for<ConcurrencyTag>(
+        candidates.size(),
+        [&](const std::size_t i) { is_refused[i] = !may_collapse(candidates[i].second, squared_longest); }, 64,
+        m_interruption);
     std::size_t number_of_collapses = 0;
-    for (const Keyed_edge& candidate : short_edges(squared_length, longest * longest))
+    for (std::size_t i = 0; i < candidates.size(); ++i)
     {
       if (number_of_collapses == maximum || m_interruption.poll())
         break;
-      // earlier contractions may have removed the edge or moved its ends
-      if (!m_mesh.is_removed(candidate.second) && this->squared_length(candidate.second) < squared_length &&
-          collapse(candidate.second, longest * longest))
+      const Edge_index e = candidates[i].second;
+      if (m_mesh.is_removed(e))
+        continue;
+      if (is_refused[i] && !is_touched[m_mesh.vertex(e, 0)] && !is_touched[m_mesh.vertex(e, 1)])
+        continue;
+      // earlier contractions may have moved its ends
+      if (this->squared_length(e) < squared_length && collapse(e, squared_longest, is_touched))
         ++number_of_collapses;
     }
     return number_of_collapses;
@@ -70,13 +81,13 @@ private:
     return m_embedding.squared_length(m_mesh.point(m_mesh.vertex(e, 0)), m_mesh.point(m_mesh.vertex(e, 1)));
   }
 
-  std::vector<Keyed_edge> short_edges(const double limit, const double squared_longest) const
+  std::vector<Keyed_edge> short_edges(const double limit) const
   {
     return sorted_edges<ConcurrencyTag>(m_mesh,
                                         [&](const Edge_index e)
                                         {
                                           const double length = squared_length(e);
-                                          return length < limit && may_collapse(e, squared_longest) ? length : no_key;
+                                          return length < limit ? length : no_key;
                                         },
                                         m_interruption);
   }
@@ -88,7 +99,8 @@ private:
     return cost(h, squared_longest) < not_allowed || cost(m_mesh.opposite(h), squared_longest) < not_allowed;
   }
 
-  bool collapse(const Edge_index e, const double squared_longest) const
+  // marks the vertices whose edges it changes
+  bool collapse(const Edge_index e, const double squared_longest, std::vector<char>& is_touched) const
   {
     const Halfedge_index h = m_mesh.halfedge(e), g = m_mesh.opposite(h);
     const double to_target = cost(h, squared_longest), to_source = cost(g, squared_longest);
@@ -97,12 +109,16 @@ private:
       return false;
     const bool is_to_target = to_target <= to_source;
     const Halfedge_index best = is_to_target ? h : g, other = is_to_target ? g : h;
+    Vertex_index kept;
     if (accepts_faces(best))
-      contract(best);
+      kept = contract(best);
     else if ((std::max)(to_target, to_source) < (std::numeric_limits<double>::max)() && accepts_faces(other))
-      contract(other);
+      kept = contract(other);
     else
       return false;
+    is_touched[kept] = 1;
+    for (const Halfedge_index in : m_mesh.halfedges_around_target(m_mesh.halfedge(kept)))
+      is_touched[m_mesh.source(in)] = 1;
     return true;
   }
 
@@ -123,9 +139,9 @@ private:
     return true;
   }
 
-  // removes the source of h; whichever edges the mesh drops, those that stay have the arcs of the edges at the target, or
+  // Removes the source of h and returns the vertex that stays; whichever edges the mesh drops, those that stay have the arcs of the edges at the target, or
   // along a curve those of the path that they replace
-  void contract(const Halfedge_index h) const
+  Vertex_index contract(const Halfedge_index h) const
   {
     const Vertex kept = m_mesh.point(m_mesh.target(h));
     std::array<std::pair<Vertex_index, Curve_arc>, 3> arcs; // from neighbours to the vertex that stays
@@ -143,6 +159,7 @@ private:
     m_mesh.point(v) = kept;
     for (std::size_t i = 0; i < number_of_arcs; ++i)
       m_mesh.set_arc(m_mesh.halfedge(arcs[i].first, v), arcs[i].second);
+    return v;
   }
 
   // the arc of the curve from the vertex before the source of h, on the curve of h, to the target of h

@@ -32,7 +32,7 @@ enum class Flip_criterion
 };
 
 // Flips edges where the criterion gains, in passes over the edges whose surroundings have changed. Which edges of a pass gain is
-// found out in parallel, the flips themselves are one after the other.
+// found out in parallel; the flips are one after the other, and look again at those around earlier ones only.
 template <typename ConcurrencyTag, typename Embedding, typename Guard>
 class Edge_flipper
 {
@@ -62,7 +62,7 @@ public:
     std::size_t number_of_flips = 0;
     for (int pass = 0; pass < maximum_number_of_passes && !queue.empty(); ++pass)
     {
-      std::vector<char> is_gain(queue.size(), 0);
+      std::vector<char> is_gain(queue.size(), 0), is_touched(vertex_capacity(m_mesh), 0);
       parallel_for<ConcurrencyTag>(
           queue.size(), [&](const std::size_t i) { is_gain[i] = gains(queue[i], criterion, valences); }, 64,
           m_interruption);
@@ -73,10 +73,15 @@ public:
         if (m_interruption.poll())
           return number_of_flips;
         is_queued[e] = 0;
-        // earlier flips may have changed it
-        if (!is_gain[i] || !gains(e, criterion, valences))
+        if (!is_gain[i])
           continue;
-        flip(e, valences);
+        const Quad q = quad(e);
+        const bool is_changed = is_touched[q.a] || is_touched[q.b] || is_touched[q.c] || is_touched[q.d];
+        if (is_changed && !gains(e, criterion, valences))
+          continue;
+        flip(e, q, valences);
+        for (const Vertex_index v : {q.a, q.b, q.c, q.d})
+          is_touched[v] = 1;
         ++number_of_flips;
         push_surroundings(e, is_queued, next_queue);
       }
@@ -138,11 +143,10 @@ private:
   }
 
   // `valences` are empty if they do not matter
-  void flip(const Edge_index e, std::vector<int>& valences) const
+  void flip(const Edge_index e, const Quad& q, std::vector<int>& valences) const
   {
     if (!valences.empty())
     {
-      const Quad q = quad(e);
       --valences[q.a];
       --valences[q.b];
       ++valences[q.c];

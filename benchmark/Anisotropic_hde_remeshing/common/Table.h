@@ -6,14 +6,16 @@
 //
 // Author(s)     : The Anisotropic_hde_remeshing developers
 
-#ifndef CGAL_ANISOTROPIC_HDE_REMESHING_BENCHMARK_IMPLICIT_FUNCTION_TABLE_H
-#define CGAL_ANISOTROPIC_HDE_REMESHING_BENCHMARK_IMPLICIT_FUNCTION_TABLE_H
+#ifndef CGAL_ANISOTROPIC_HDE_REMESHING_BENCHMARK_TABLE_H
+#define CGAL_ANISOTROPIC_HDE_REMESHING_BENCHMARK_TABLE_H
 
 #include <algorithm>
 #include <cstddef>
+#include <fstream>
 #include <iomanip>
 #include <iostream>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -59,9 +61,20 @@ public:
     std::cout << std::flush;
   }
 
+  // the same as comma-separated values; cells have neither commas nor quotation marks
+  void write_csv(const std::string& file) const
+  {
+    std::ofstream out(file);
+    for (const std::vector<std::string>& row : m_rows)
+      for (std::size_t k = 0; k < row.size(); ++k)
+        out << row[k] << (k + 1 < row.size() ? ',' : '\n');
+    if (!out.flush())
+      throw std::runtime_error("cannot write " + file);
+  }
+
 private:
   std::string m_title;
   std::vector<std::vector<std::string>> m_rows;
 };
 
-#endif // CGAL_ANISOTROPIC_HDE_REMESHING_BENCHMARK_IMPLICIT_FUNCTION_TABLE_H
+#endif // CGAL_ANISOTROPIC_HDE_REMESHING_BENCHMARK_TABLE_H

@@ -11,7 +11,7 @@
 #ifndef CGAL_ANISOTROPIC_HDE_REMESHING_BENCHMARK_IMPLICIT_FUNCTION_COMMON_H
 #define CGAL_ANISOTROPIC_HDE_REMESHING_BENCHMARK_IMPLICIT_FUNCTION_COMMON_H
 
-#include "../seconds_of.h"
+#include "seconds_of.h"
 #include "shapes.h"
 
 #include <CGAL/Anisotropic_hde_remeshing/internal/measures/Area_sampler.h>

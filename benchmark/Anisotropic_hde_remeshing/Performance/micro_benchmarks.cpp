@@ -1,0 +1,177 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+// The parts that the time goes into, by Google Benchmark: evaluation, projection, and each local operation on an ellipsoid of
+// 81,920 faces; `items_per_second` counts evaluations, points, and vertices, edges or faces looked at.
+
+#include "scans.h"
+#include "shapes.h"
+
+#include <CGAL/Anisotropic_hde_remeshing/Normal_embedding.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Deviation_guard.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Surface_projection.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/collapse_edges.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/flip_edges.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/smooth_vertices.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/split_edges.h>
+
+#include <benchmark/benchmark.h>
+
+#include <cstddef>
+#include <vector>
+
+using namespace shapes;
+namespace Hde = CGAL::Anisotropic_hde_remeshing;
+namespace internal = Hde::internal;
+
+typedef CGAL::Parallel_if_available_tag Tag;
+typedef Hde::Normal_embedding Embedding;
+typedef internal::Working_mesh<Embedding::Vertex_data> Working_mesh;
+typedef internal::Surface_projection<Ellipsoid_function> Projection;
+typedef internal::Deviation_guard<Ellipsoid_function> Guard;
+
+// An ellipsoid as the remesher sees it, with the length that its edges would have if they were uniform.
+class Scene
+{
+public:
+  Scene() : m_projection(m_function, m_input, 1e-9), m_guard(m_function, 1), m_curves(m_mesh)
+  {
+    const Mesh input = ellipsoid(6);
+    std::vector<internal::Vertex_index> vertices;
+    for (const auto v : input.vertices())
+    {
+      Working_mesh::Vertex state;
+      state.point = internal::to_vector(input.point(v));
+      m_projection.project(state, 1);
+      vertices.push_back(m_mesh.add_vertex(state));
+    }
+    for (const auto f : input.faces())
+    {
+      std::vector<internal::Vertex_index> corners;
+      for (const auto v : CGAL::vertices_around_face(input.halfedge(f), input))
+        corners.push_back(vertices[v]);
+      m_mesh.add_face(corners[0], corners[1], corners[2]);
+    }
+    double sum = 0;
+    for (const auto e : m_mesh.edges())
+      sum += m_embedding.squared_length(m_mesh.point(m_mesh.vertex(e, 0)), m_mesh.point(m_mesh.vertex(e, 1)));
+    m_length = std::sqrt(sum / double(m_mesh.number_of_edges()));
+  }
+
+  const Working_mesh& mesh() const { return m_mesh; }
+  const Projection& projection() const { return m_projection; }
+  double length() const { return m_length; }
+
+  void split(Working_mesh& mesh)
+  {
+    internal::Edge_splitter<Tag, Embedding, Projection>(mesh, m_embedding, m_projection, m_curves, m_never)(4. / 3 * m_length);
+  }
+
+  void collapse(Working_mesh& mesh)
+  {
+    internal::Edge_collapser<Tag, Embedding, Guard>(mesh, m_embedding, m_guard, m_never)(0.8 * m_length, 4. / 3 * m_length);
+  }
+
+  void flip(Working_mesh& mesh, const internal::Flip_criterion criterion)
+  {
+    internal::Edge_flipper<Tag, Embedding, Guard>(mesh, m_embedding, m_guard, m_never)(criterion);
+  }
+
+  void smooth(Working_mesh& mesh, const internal::Smoothing_step kind)
+  {
+    internal::Vertex_smoother<Tag, Embedding, Projection>(mesh, m_embedding, m_projection, m_curves, m_never)(1, kind);
+  }
+
+private:
+  const Ellipsoid_function m_function;
+  const internal::Input_surface m_input;
+  const Embedding m_embedding{1.6};
+  Projection m_projection;
+  Guard m_guard;
+  Working_mesh m_mesh;
+  internal::Curve_network m_curves;
+  internal::Interruption m_never;
+  double m_length = 0;
+};
+
+Scene& scene()
+{
+  static Scene instance;
+  return instance;
+}
+
+// each time on a fresh copy of the mesh
+template <typename Operation>
+void run(benchmark::State& state, const Operation& operation)
+{
+  for (auto _ : state)
+  {
+    state.PauseTiming();
+    Working_mesh mesh = scene().mesh();
+    state.ResumeTiming();
+    operation(mesh);
+  }
+  state.SetItemsProcessed(state.iterations() * std::int64_t(scene().mesh().number_of_vertices()));
+}
+
+void evaluation(benchmark::State& state)
+{
+  const Mesh input = ellipsoid(5);
+  const Rbf_function function(input);
+  std::size_t i = 0;
+  for (auto _ : state)
+    benchmark::DoNotOptimize(function.value_and_gradient(input.point(Mesh::Vertex_index(unsigned(i++ % input.number_of_vertices())))));
+  state.SetItemsProcessed(state.iterations());
+}
+BENCHMARK(evaluation);
+
+void projection(benchmark::State& state)
+{
+  std::size_t i = 0;
+  for (auto _ : state)
+  {
+    Working_mesh::Vertex vertex = scene().mesh().point(internal::Vertex_index(unsigned(i++ % scene().mesh().number_of_vertices())));
+    vertex.point *= 1.001;
+    scene().projection().project(vertex, 1);
+    benchmark::DoNotOptimize(vertex);
+  }
+  state.SetItemsProcessed(state.iterations());
+}
+BENCHMARK(projection);
+
+void splits(benchmark::State& state) { run(state, [](Working_mesh& mesh) { scene().split(mesh); }); }
+BENCHMARK(splits)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+void contractions(benchmark::State& state) { run(state, [](Working_mesh& mesh) { scene().collapse(mesh); }); }
+BENCHMARK(contractions)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+void flips_for_valence(benchmark::State& state)
+{
+  run(state, [](Working_mesh& mesh) { scene().flip(mesh, internal::Flip_criterion::VALENCE); });
+}
+BENCHMARK(flips_for_valence)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+void flips_for_angle(benchmark::State& state)
+{
+  run(state, [](Working_mesh& mesh) { scene().flip(mesh, internal::Flip_criterion::ANGLE); });
+}
+BENCHMARK(flips_for_angle)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+void predicted_smoothing(benchmark::State& state)
+{
+  run(state, [](Working_mesh& mesh) { scene().smooth(mesh, internal::Smoothing_step::PREDICT); });
+}
+BENCHMARK(predicted_smoothing)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+void projected_smoothing(benchmark::State& state)
+{
+  run(state, [](Working_mesh& mesh) { scene().smooth(mesh, internal::Smoothing_step::PROJECT); });
+}
+BENCHMARK(projected_smoothing)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+BENCHMARK_MAIN();
