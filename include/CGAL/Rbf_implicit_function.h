@@ -131,7 +131,7 @@ public:
     \cgalParamNBegin{patch_overlap}
       \cgalParamDescription{the paper's Ov: how far beyond its zone of influence a patch gathers points, in units of the local
                             distance between points}
-      \cgalParamDefault{2.5}
+      \cgalParamDefault{2.4}
     \cgalParamNEnd
     \cgalParamNBegin{offset_distance}
       \cgalParamDescription{the paper's \f$ \varepsilon \f$, one for all points, in the unit of the coordinates}

@@ -22,7 +22,9 @@
 
 #include <benchmark/benchmark.h>
 
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 using namespace shapes;
@@ -39,33 +41,38 @@ typedef internal::Deviation_guard<Ellipsoid_function> Guard;
 class Scene
 {
 public:
-  Scene() : m_projection(m_function, m_input, 1e-9), m_guard(m_function, 1), m_curves(m_mesh)
+  Scene() : m_input({}, {}), m_projection(m_function, m_input, 1e-9), m_guard(m_function, 1), m_curves(m_no_mesh)
   {
     const Mesh input = ellipsoid(6);
-    std::vector<internal::Vertex_index> vertices;
     for (const auto v : input.vertices())
     {
       Working_mesh::Vertex state;
       state.point = internal::to_vector(input.point(v));
       m_projection.project(state, 1);
-      vertices.push_back(m_mesh.add_vertex(state));
+      m_vertices.push_back(state);
     }
     for (const auto f : input.faces())
-    {
-      std::vector<internal::Vertex_index> corners;
       for (const auto v : CGAL::vertices_around_face(input.halfedge(f), input))
-        corners.push_back(vertices[v]);
-      m_mesh.add_face(corners[0], corners[1], corners[2]);
-    }
+        m_corners.push_back(v);
+    Working_mesh mesh;
+    fill(mesh);
     double sum = 0;
-    for (const auto e : m_mesh.edges())
-      sum += m_embedding.squared_length(m_mesh.point(m_mesh.vertex(e, 0)), m_mesh.point(m_mesh.vertex(e, 1)));
-    m_length = std::sqrt(sum / double(m_mesh.number_of_edges()));
+    for (const auto e : mesh.edges())
+      sum += m_embedding.squared_length(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1)));
+    m_length = std::sqrt(sum / double(mesh.number_of_edges()));
   }
 
-  const Working_mesh& mesh() const { return m_mesh; }
+  const std::vector<Working_mesh::Vertex>& vertices() const { return m_vertices; }
   const Projection& projection() const { return m_projection; }
-  double length() const { return m_length; }
+
+  void fill(Working_mesh& mesh) const
+  {
+    for (const Working_mesh::Vertex& vertex : m_vertices)
+      mesh.add_vertex(vertex);
+    for (std::size_t i = 0; i < m_corners.size(); i += 3)
+      mesh.add_face(internal::Vertex_index(m_corners[i]), internal::Vertex_index(m_corners[i + 1]),
+                    internal::Vertex_index(m_corners[i + 2]));
+  }
 
   void split(Working_mesh& mesh)
   {
@@ -93,9 +100,11 @@ private:
   const Embedding m_embedding{1.6};
   Projection m_projection;
   Guard m_guard;
-  Working_mesh m_mesh;
+  Working_mesh m_no_mesh;
   internal::Curve_network m_curves;
   internal::Interruption m_never;
+  std::vector<Working_mesh::Vertex> m_vertices;
+  std::vector<Mesh::size_type> m_corners;
   double m_length = 0;
 };
 
@@ -112,11 +121,12 @@ void run(benchmark::State& state, const Operation& operation)
   for (auto _ : state)
   {
     state.PauseTiming();
-    Working_mesh mesh = scene().mesh();
+    Working_mesh mesh;
+    scene().fill(mesh);
     state.ResumeTiming();
     operation(mesh);
   }
-  state.SetItemsProcessed(state.iterations() * std::int64_t(scene().mesh().number_of_vertices()));
+  state.SetItemsProcessed(state.iterations() * std::int64_t(scene().vertices().size()));
 }
 
 void evaluation(benchmark::State& state)
@@ -125,7 +135,8 @@ void evaluation(benchmark::State& state)
   const Rbf_function function(input);
   std::size_t i = 0;
   for (auto _ : state)
-    benchmark::DoNotOptimize(function.value_and_gradient(input.point(Mesh::Vertex_index(unsigned(i++ % input.number_of_vertices())))));
+    benchmark::DoNotOptimize(
+        function.value_and_gradient(input.point(Mesh::Vertex_index(unsigned(i++ % input.number_of_vertices())))));
   state.SetItemsProcessed(state.iterations());
 }
 BENCHMARK(evaluation);
@@ -135,7 +146,7 @@ void projection(benchmark::State& state)
   std::size_t i = 0;
   for (auto _ : state)
   {
-    Working_mesh::Vertex vertex = scene().mesh().point(internal::Vertex_index(unsigned(i++ % scene().mesh().number_of_vertices())));
+    Working_mesh::Vertex vertex = scene().vertices()[i++ % scene().vertices().size()];
     vertex.point *= 1.001;
     scene().projection().project(vertex, 1);
     benchmark::DoNotOptimize(vertex);
