@@ -29,27 +29,52 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
+// The body of a loop, called for parts of its range. Its type is forgotten, so that TBB's loop is compiled once for all bodies.
+class Loop_body
+{
+public:
+  template <typename Function>
+  Loop_body(const Function& f, Interruption& interruption)
+    : m_function(&f), m_interruption(interruption), m_run(&run<Function>)
+  {
+  }
+
+  void operator()(const std::size_t begin, const std::size_t end) const { m_run(m_function, m_interruption, begin, end); }
+
+private:
+  template <typename Function>
+  static void run(const void* f, Interruption& interruption, const std::size_t begin, const std::size_t end)
+  {
+    for (std::size_t i = begin; i != end && !interruption.poll(); ++i)
+      (*static_cast<const Function*>(f))(i);
+  }
+
+  const void* m_function;
+  Interruption& m_interruption;
+  void (*m_run)(const void*, Interruption&, std::size_t, std::size_t);
+};
+
+#ifdef CGAL_LINKED_WITH_TBB
+inline void run_in_parallel(const std::size_t n, const Loop_body& body, const std::size_t grain)
+{
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, grain),
+                    [&](const tbb::blocked_range<std::size_t>& range) { body(range.begin(), range.end()); });
+}
+#endif
+
 // Calls `f(i)` for every i in [0, n), by TBB if the tag asks for it and TBB is linked. `f` writes to places of its own, so
 // that the result is the same for any number of threads. Below `grain` calls a thread is not worth waking. Once
 // `interruption` is requested the calls that have not begun are left out.
 template <typename ConcurrencyTag, typename Function>
 void parallel_for(const std::size_t n, const Function& f, const std::size_t grain, Interruption& interruption)
 {
+  const Loop_body body(f, interruption);
 #ifdef CGAL_LINKED_WITH_TBB
   if constexpr (std::is_convertible<ConcurrencyTag, Parallel_tag>::value)
   {
     if (n > grain)
     {
-      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, grain),
-                        [&](const tbb::blocked_range<std::size_t>& range)
-                        {
-                          for (std::size_t i = range.begin(); i != range.end(); ++i)
-                          {
-                            if (interruption.poll())
-                              return;
-                            f(i);
-                          }
-                        });
+      run_in_parallel(n, body, grain);
       return;
     }
   }
@@ -58,8 +83,7 @@ void parallel_for(const std::size_t n, const Function& f, const std::size_t grai
                 "Parallel_tag is asked for but TBB is not linked.");
   (void)grain;
 #endif
-  for (std::size_t i = 0; i < n && !interruption.poll(); ++i)
-    f(i);
+  body(0, n);
 }
 
 template <typename ConcurrencyTag, typename Function>

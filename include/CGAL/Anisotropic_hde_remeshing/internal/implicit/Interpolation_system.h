@@ -13,7 +13,6 @@
 
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Polynomial_null_space.h>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <Eigen/LU>
 
@@ -154,13 +153,13 @@ private:
   }
 
   // Cholesky's factor in the place of the lower triangle; false if the matrix is not positive definite. By halves down to a size
-  // that stays in the cache: for some hundred unknowns a fifth faster than Eigen's LLT with its narrow panels.
+  // that stays in the cache: for some hundred unknowns a fifth faster than Eigen's LLT with its narrow panels, and to compile.
   static bool factorize(Eigen::Ref<Eigen::MatrixXd> matrix)
   {
-    static constexpr Eigen::Index smallest = 64;
+    static constexpr Eigen::Index smallest = 32;
     const Eigen::Index n = matrix.rows(), half = n / 2 / 4 * 4; // columns that begin on a SIMD boundary as the first does
     if (n <= smallest)
-      return Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>>(matrix).info() == Eigen::Success;
+      return factorize_directly(matrix);
     Eigen::Ref<Eigen::MatrixXd> first = matrix.topLeftCorner(half, half), below = matrix.bottomLeftCorner(n - half, half),
                                 second = matrix.bottomRightCorner(n - half, n - half);
     if (!factorize(first))
@@ -168,6 +167,22 @@ private:
     first.triangularView<Eigen::Lower>().transpose().solveInPlace<Eigen::OnTheRight>(below);
     second.selfadjointView<Eigen::Lower>().rankUpdate(below, -1);
     return factorize(second);
+  }
+
+  static bool factorize_directly(Eigen::Ref<Eigen::MatrixXd> matrix)
+  {
+    const Eigen::Index n = matrix.rows();
+    for (Eigen::Index j = 0; j < n; ++j)
+    {
+      if (!(matrix(j, j) > 0))
+        return false;
+      matrix(j, j) = std::sqrt(matrix(j, j));
+      auto below = matrix.col(j).tail(n - j - 1);
+      below /= matrix(j, j);
+      for (Eigen::Index k = j + 1; k < n; ++k)
+        matrix.col(k).tail(n - k) -= matrix(k, j) * matrix.col(j).tail(n - k);
+    }
+    return true;
   }
 
   // the whole indefinite system, for the data that the null space method cannot take: all of them in a plane, say

@@ -25,12 +25,12 @@ namespace Anisotropic_hde_remeshing {
 namespace internal {
 
 // The same system for a positive definite function of compact support, whose matrix A is sparse: alpha = A^-1 (f - P beta)
-// with (P^T A^-1 P) beta = P^T A^-1 f, A factorised by sparse Cholesky.
+// with (P^T A^-1 P) beta = P^T A^-1 f, A factorised by sparse Cholesky. A
+// template, so that it is compiled for those only who use such a function.
+template <typename Sparse_matrix>
 class Sparse_interpolation_system
 {
 public:
-  typedef Eigen::SparseMatrix<double> Sparse_matrix;
-
   // `matrix` is the lower triangle of A + lambda I; both must outlive this object
   Sparse_interpolation_system(const Sparse_matrix& matrix, const Eigen::MatrixXd& polynomials)
     : m_matrix(matrix), m_polynomials(polynomials)
@@ -48,7 +48,7 @@ public:
     const auto refined_solve = [&](const Eigen::MatrixXd& right) -> Eigen::MatrixXd
     {
       Eigen::MatrixXd x = cholesky.solve(right);
-      const Eigen::MatrixXd residual = right - m_matrix.selfadjointView<Eigen::Lower>() * x;
+      const Eigen::MatrixXd residual = right - m_matrix.template selfadjointView<Eigen::Lower>() * x;
       x += cholesky.solve(residual);
       return x;
     };
@@ -59,7 +59,7 @@ public:
     if (!result.is_finite())
       return result;
     const Eigen::VectorXd residual =
-        data - m_polynomials * result.polynomial - m_matrix.selfadjointView<Eigen::Lower>() * result.weights;
+        data - m_polynomials * result.polynomial - m_matrix.template selfadjointView<Eigen::Lower>() * result.weights;
     result.relative_residual =
         Interpolation_coefficients::relative(residual.lpNorm<Eigen::Infinity>(), data);
     if (result.relative_residual <= Interpolation_coefficients::largest_residual)
