@@ -17,7 +17,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <type_traits>
+#include <vector>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #  include <tbb/blocked_range.h>
@@ -94,6 +96,23 @@ void parallel_for(const std::size_t n, const Function& f, const std::size_t grai
 }
 
 // the same result with and without threads, as no two elements may be equal
+// the sum of `f(i)` over i in [0, n), always in the same order of addition
+template <typename ConcurrencyTag, typename Function>
+double parallel_sum(const std::size_t n, const Function& f)
+{
+  static constexpr std::size_t part = 4096;
+  std::vector<double> sums((n + part - 1) / part, 0.);
+  parallel_for<ConcurrencyTag>(
+      sums.size(),
+      [&](const std::size_t k)
+      {
+        for (std::size_t i = k * part; i < (std::min)(n, (k + 1) * part); ++i)
+          sums[k] += f(i);
+      },
+      1);
+  return std::accumulate(sums.begin(), sums.end(), 0.);
+}
+
 template <typename ConcurrencyTag, typename Vector>
 void parallel_sort(Vector& elements)
 {

@@ -95,7 +95,7 @@ public:
   {
     if constexpr (is_metric<Embedding>)
       Metric_updater<ConcurrencyTag, Mesh, Embedding>(m_mesh, m_embedding, m_diagonal, target.length(), m_interruption)();
-    target.update(m_mesh, m_embedding);
+    target.template update<ConcurrencyTag>(m_mesh, m_embedding);
   }
 
   // aims at the number of faces that the error seems to ask for, at most that of `target`
@@ -141,7 +141,7 @@ public:
   }
 
   // all vertices of the input onto the zero set but those that are fixed or stay on their polylines
-  void project_input() { accept(exact_projections(all)); }
+  void project_input() { exact_projections(all).template accept<ConcurrencyTag>(m_mesh); }
 
 private:
   static bool all(Vertex_index) { return true; }
@@ -152,7 +152,7 @@ private:
   {
     Simultaneous_moves<Mesh> moves = exact_projections(is_chosen);
     moves.template revert_folds<ConcurrencyTag>(m_interruption);
-    accept(moves);
+    moves.template accept<ConcurrencyTag>(m_mesh);
   }
 
   template <typename IsChosen>
@@ -196,7 +196,7 @@ private:
     if (is_settling())
       return; // the last iterations settle at a number
     limit_number_of_faces(error_of_mesh().factor_of_number_of_faces() * double(m_mesh.number_of_faces()), target);
-    target.update(m_mesh, m_embedding);
+    target.template update<ConcurrencyTag>(m_mesh, m_embedding);
   }
 
   // Splits edges of the faces that exceed the error until there are none, or as many faces as allowed. Each round halves edges,
@@ -283,14 +283,7 @@ private:
                                            },
                                            m_interruption);
     moves.template revert_folds<ConcurrencyTag>(m_interruption);
-    accept(moves);
-  }
-
-  void accept(const Simultaneous_moves<Mesh>& moves)
-  {
-    for (const Vertex_index v : m_mesh.vertices())
-      if (moves.is_moved(v))
-        m_mesh.point(v) = moves.state(v);
+    moves.template accept<ConcurrencyTag>(m_mesh);
   }
 
   // after an interruption: most of the vertices are exact already, and the caller waits
@@ -478,7 +471,7 @@ private:
   const Edge_splitter<ConcurrencyTag, Embedding, Projection> m_split;
   const Edge_collapser<ConcurrencyTag, Embedding, Guard> m_collapse;
   const Edge_flipper<ConcurrencyTag, Embedding, Guard> m_flip;
-  const Vertex_smoother<ConcurrencyTag, Embedding, Projection> m_smooth;
+  Vertex_smoother<ConcurrencyTag, Embedding, Projection> m_smooth;
   unsigned int m_iteration = 0;
   double m_length_factor = first_length_factor;
   double m_largest_number_of_faces = 0; // with an error as the target

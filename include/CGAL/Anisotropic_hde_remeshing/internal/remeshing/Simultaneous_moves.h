@@ -30,9 +30,13 @@ class Simultaneous_moves
   typedef typename Mesh::Vertex Vertex;
 
 public:
-  explicit Simultaneous_moves(const Mesh& mesh)
-    : m_mesh(mesh), m_states(vertex_capacity(mesh)), m_is_moved(vertex_capacity(mesh), 0)
+  explicit Simultaneous_moves(const Mesh& mesh) : m_mesh(mesh) { clear(); }
+
+  // for moves of the mesh as it is by now, in the memory of the last ones
+  void clear()
   {
+    m_states.resize(vertex_capacity(m_mesh));
+    m_is_moved.assign(vertex_capacity(m_mesh), 0);
   }
 
   // Asks `propose(vertex, state)` of every vertex for which `is_chosen(vertex)`, concurrently, whether it moves and whereto:
@@ -86,6 +90,18 @@ public:
             folded.push_back(m_mesh.face(h));
     }
     return number_of_reverted;
+  }
+
+  // changes the mesh
+  template <typename ConcurrencyTag>
+  void accept(Mesh& mesh) const
+  {
+    parallel_for<ConcurrencyTag>(m_states.size(),
+                                 [&](const std::size_t i)
+                                 {
+                                   if (m_is_moved[i])
+                                     mesh.point(Vertex_index(static_cast<Vertex_index::size_type>(i))) = m_states[i];
+                                 });
   }
 
 private:

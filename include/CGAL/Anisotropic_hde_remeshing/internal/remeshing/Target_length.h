@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
+#include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Working_mesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/embedded_triangle.h>
 
@@ -43,14 +44,14 @@ public:
   // to another number of faces; `update()` makes the length follow
   void set_number_of_faces(const double number_of_faces) { m_number_of_faces = number_of_faces; }
 
-  template <typename Mesh, typename Embedding>
+  template <typename ConcurrencyTag, typename Mesh, typename Embedding>
   void update(const Mesh& mesh, const Embedding& embedding)
   {
     const double equilateral_area = 0.25 * std::sqrt(3.);
     if (m_is_length_given)
-      m_number_of_faces = area(mesh, embedding) / (equilateral_area * m_length * m_length);
+      m_number_of_faces = area<ConcurrencyTag>(mesh, embedding) / (equilateral_area * m_length * m_length);
     else
-      m_length = std::sqrt(area(mesh, embedding) / (equilateral_area * m_number_of_faces));
+      m_length = std::sqrt(area<ConcurrencyTag>(mesh, embedding) / (equilateral_area * m_number_of_faces));
   }
 
 private:
@@ -60,18 +61,24 @@ private:
   }
 
   // of the faces in the embedding
-  template <typename Mesh, typename Embedding>
+  template <typename ConcurrencyTag, typename Mesh, typename Embedding>
   static double area(const Mesh& mesh, const Embedding& embedding)
   {
-    double sum = 0;
-    for (const Face_index f : mesh.faces())
-    {
-      const Triangle t(mesh.halfedge(f), mesh);
-      const auto &a = mesh.point(t.a), &b = mesh.point(t.b), &c = mesh.point(t.c);
-      sum += Embedded_triangle::area(embedding.squared_length(a, b), embedding.squared_length(b, c),
-                                     embedding.squared_length(c, a));
-    }
-    return sum;
+    return parallel_sum<ConcurrencyTag>(face_capacity(mesh),
+                                        [&](const std::size_t i)
+                                        {
+                                          const Face_index f(static_cast<Face_index::size_type>(i));
+                                          return mesh.is_removed(f) ? 0. : area_of_face(f, mesh, embedding);
+                                        });
+  }
+
+  template <typename Mesh, typename Embedding>
+  static double area_of_face(const Face_index f, const Mesh& mesh, const Embedding& embedding)
+  {
+    const Triangle t(mesh.halfedge(f), mesh);
+    const auto &a = mesh.point(t.a), &b = mesh.point(t.b), &c = mesh.point(t.c);
+    return Embedded_triangle::area(embedding.squared_length(a, b), embedding.squared_length(b, c),
+                                   embedding.squared_length(c, a));
   }
 
   double m_length;

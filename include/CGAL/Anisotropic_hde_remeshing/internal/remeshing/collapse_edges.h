@@ -39,6 +39,9 @@ class Edge_collapser
 
   // of the part of a curve that an edge stands for; it is .83 for a third of a circle
   static constexpr double smallest_chord = 0.85;
+  // Where all short edges may be contracted, their exact order does not matter, but the next one in it is far away in memory: in
+  // classes, contractions in a mesh of 1,000,000 faces take 2.5 in place of 4.0 microseconds a face.
+  static constexpr double classes_per_octave = 2;
 
 public:
   Edge_collapser(Mesh& mesh, const Embedding& embedding, const Guard& guard, Interruption& interruption)
@@ -46,13 +49,14 @@ public:
   {
   }
 
-  // One pass over the edges shorter than `length`, the shortest first, `maximum` contractions at most; none makes an edge longer
+  // One pass over the edges shorter than `length`, the shorter first, `maximum` contractions at most; none makes an edge longer
   // than `longest`. Returns how many it contracted. Which edges may be contracted is found out in parallel; the contractions are one
   // after the other, and ask again only where an earlier one has changed something: the result is that of one thread.
   std::size_t operator()(const double length, const double longest, const std::size_t maximum = std::size_t(-1)) const
   {
     const double squared_length = length * length, squared_longest = longest * longest;
-    const std::vector<Keyed_edge> candidates = short_edges(squared_length);
+    const std::vector<Keyed_edge> candidates =
+        short_edges(squared_length, maximum == std::size_t(-1) ? classes_per_octave : 0);
     std::vector<char> is_refused(candidates.size(), 0), is_touched(vertex_capacity(m_mesh), 0);
     parallel_for<ConcurrencyTag>(
         candidates.size(),
@@ -81,13 +85,17 @@ private:
     return m_embedding.squared_length(m_mesh.point(m_mesh.vertex(e, 0)), m_mesh.point(m_mesh.vertex(e, 1)));
   }
 
-  std::vector<Keyed_edge> short_edges(const double limit) const
+  // The shortest first; in so many classes for a factor of two in the squared length, and within a class in the order of memory,
+  // if there are to be classes.
+  std::vector<Keyed_edge> short_edges(const double limit, const double classes) const
   {
     return sorted_edges<ConcurrencyTag>(m_mesh,
                                         [&](const Edge_index e)
                                         {
                                           const double length = squared_length(e);
-                                          return length < limit ? length : no_key;
+                                          if (!(length < limit))
+                                            return no_key;
+                                          return classes > 0 ? std::ceil(classes * std::log2(length / limit)) : length;
                                         },
                                         m_interruption);
   }

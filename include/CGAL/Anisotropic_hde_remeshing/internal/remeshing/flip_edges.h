@@ -51,42 +51,21 @@ public:
   {
   }
 
-  // returns the number of flips
+  // Returns the number of flips. A pass flips edges in the order of the mesh, the next one looks at those around them. Few edges
+  // are flipped: what is worth it is found out in parallel, the flips are one after the other.
   std::size_t operator()(const Flip_criterion criterion) const
   {
-    std::vector<Edge_index> queue(m_mesh.edges().begin(), m_mesh.edges().end());
     std::vector<char> is_queued(edge_capacity(m_mesh), 0);
     std::vector<int> valences;
     if (criterion == Flip_criterion::VALENCE)
       valences = compute_valences();
+    std::vector<Edge_index> queue = all_edges();
     std::size_t number_of_flips = 0;
-    for (int pass = 0; pass < maximum_number_of_passes && !queue.empty(); ++pass)
+    for (int pass = 0; pass < maximum_number_of_passes && !queue.empty() && !m_interruption.is_requested(); ++pass)
     {
-      std::vector<char> is_gain(queue.size(), 0), is_touched(vertex_capacity(m_mesh), 0);
-      parallel_for<ConcurrencyTag>(
-          queue.size(), [&](const std::size_t i) { is_gain[i] = gains(queue[i], criterion, valences); }, 64,
-          m_interruption);
-      std::vector<Edge_index> next_queue;
-      for (std::size_t i = 0; i < queue.size(); ++i)
-      {
-        const Edge_index e = queue[i];
-        if (m_interruption.poll())
-          return number_of_flips;
-        is_queued[e] = 0;
-        if (!is_gain[i])
-          continue;
-        const Quad q = quad(e);
-        const bool is_changed = is_touched[q.a] || is_touched[q.b] || is_touched[q.c] || is_touched[q.d];
-        if (is_changed && !gains(e, criterion, valences))
-          continue;
-        flip(e, q, valences);
-        for (const Vertex_index v : {q.a, q.b, q.c, q.d})
-          is_touched[v] = 1;
-        ++number_of_flips;
-        push_surroundings(e, is_queued, next_queue);
-      }
-      std::sort(next_queue.begin(), next_queue.end());
-      queue.swap(next_queue);
+      const std::vector<Edge_index> flipped = flip(gaining(queue, criterion, valences), criterion, valences);
+      number_of_flips += flipped.size();
+      queue = surroundings(flipped, is_queued);
     }
     return number_of_flips;
   }
@@ -104,13 +83,87 @@ private:
     return {m_mesh.source(h), m_mesh.target(h), m_mesh.target(m_mesh.next(h)), m_mesh.target(m_mesh.next(g))};
   }
 
+  std::vector<Edge_index> all_edges() const
+  {
+    std::vector<Edge_index> edges;
+    edges.reserve(m_mesh.number_of_edges());
+    for (const Edge_index e : m_mesh.edges())
+      edges.push_back(e);
+    return edges;
+  }
+
   std::vector<int> compute_valences() const
   {
     // an inner vertex wants six edges, one of the boundary four: two are added there
     std::vector<int> valences(vertex_capacity(m_mesh), 0);
-    for (const Halfedge_index h : m_mesh.halfedges())
-      valences[m_mesh.target(h)] += m_mesh.is_border(h) ? 3 : 1;
+    parallel_for<ConcurrencyTag>(
+        valences.size(),
+        [&](const std::size_t i)
+        {
+          const Vertex_index v(static_cast<Vertex_index::size_type>(i));
+          if (!m_mesh.is_removed(v))
+            for (const Halfedge_index h : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
+              valences[i] += m_mesh.is_border(h) ? 3 : 1;
+        },
+        256, m_interruption);
     return valences;
+  }
+
+  // those of the edges that gain by a flip, in their order
+  std::vector<Edge_index> gaining(const std::vector<Edge_index>& edges, const Flip_criterion criterion,
+                                  const std::vector<int>& valences) const
+  {
+    std::vector<char> is_gain(edges.size(), 0);
+    parallel_for<ConcurrencyTag>(
+        edges.size(), [&](const std::size_t i) { is_gain[i] = gains(edges[i], criterion, valences); }, 64, m_interruption);
+    std::vector<Edge_index> result;
+    for (std::size_t i = 0; i < edges.size(); ++i)
+      if (is_gain[i])
+        result.push_back(edges[i]);
+    return result;
+  }
+
+  // flips the edges one after the other, unless an earlier one has taken the gain; returns those that were flipped
+  std::vector<Edge_index> flip(const std::vector<Edge_index>& edges, const Flip_criterion criterion,
+                               std::vector<int>& valences) const
+  {
+    std::vector<Edge_index> flipped;
+    std::vector<char> is_touched(vertex_capacity(m_mesh), 0);
+    for (const Edge_index e : edges)
+    {
+      if (m_interruption.poll())
+        break;
+      const Quad q = quad(e);
+      const bool is_changed = is_touched[q.a] || is_touched[q.b] || is_touched[q.c] || is_touched[q.d];
+      if (is_changed && !gains(e, criterion, valences))
+        continue;
+      flip(e, q, valences);
+      for (const Vertex_index v : {q.a, q.b, q.c, q.d})
+        is_touched[v] = 1;
+      flipped.push_back(e);
+    }
+    return flipped;
+  }
+
+  // the edges of the faces of those given, each once, in the order of the mesh; `is_queued` is 0 for all edges
+  std::vector<Edge_index> surroundings(const std::vector<Edge_index>& edges, std::vector<char>& is_queued) const
+  {
+    std::vector<Edge_index> result;
+    for (const Edge_index e : edges)
+    {
+      const Halfedge_index h = m_mesh.halfedge(e), g = m_mesh.opposite(h);
+      for (const Halfedge_index side : {h, m_mesh.next(h), m_mesh.prev(h), m_mesh.next(g), m_mesh.prev(g)})
+      {
+        const Edge_index edge = m_mesh.edge(side);
+        if (!is_queued[edge])
+          result.push_back(edge);
+        is_queued[edge] = 1;
+      }
+    }
+    for (const Edge_index e : result)
+      is_queued[e] = 0;
+    std::sort(result.begin(), result.end());
+    return result;
   }
 
   bool gains(const Edge_index e, const Flip_criterion criterion, const std::vector<int>& valences) const
@@ -176,20 +229,6 @@ private:
       return false;
     return q.c != q.d && !m_mesh.halfedge(q.c, q.d).is_valid() && m_mesh.degree(q.a) > 3 && m_mesh.degree(q.b) > 3 &&
            m_guard.accepts(c, a, d) && m_guard.accepts(d, b, c);
-  }
-
-  void push_surroundings(const Edge_index e, std::vector<char>& is_queued, std::vector<Edge_index>& queue) const
-  {
-    const Halfedge_index h = m_mesh.halfedge(e), g = m_mesh.opposite(h);
-    for (const Halfedge_index side : {h, m_mesh.next(h), m_mesh.prev(h), m_mesh.next(g), m_mesh.prev(g)})
-    {
-      const Edge_index edge = m_mesh.edge(side);
-      if (!is_queued[edge])
-      {
-        is_queued[edge] = 1;
-        queue.push_back(edge);
-      }
-    }
   }
 
   Mesh& m_mesh;

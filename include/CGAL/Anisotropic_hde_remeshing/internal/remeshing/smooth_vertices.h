@@ -57,29 +57,31 @@ class Vertex_smoother
 public:
   Vertex_smoother(Mesh& mesh, const Embedding& embedding, const Projection& projection,
                   const Curve_network& curves, Interruption& interruption)
-    : m_mesh(mesh), m_embedding(embedding), m_projection(projection), m_curves(curves), m_interruption(interruption)
+    : m_mesh(mesh), m_embedding(embedding), m_projection(projection), m_curves(curves), m_interruption(interruption),
+      m_moves(mesh)
   {
   }
 
   // One simultaneous step of the share `ratio` of the vertices with the smallest angles in the embedding. Small steps are not
   // projected if a next smoothing follows at once: it is as good a mesh (PREDICT, then PROJECT), and an evaluation costs more.
-  void operator()(const double ratio, const Smoothing_step kind) const
+  void operator()(const double ratio, const Smoothing_step kind)
   {
-    Simultaneous_moves<Mesh> moves(m_mesh);
+    m_moves.clear();
     std::vector<double> shifts(vertex_capacity(m_mesh), 0.);
     const std::vector<char> is_chosen = choose(ratio);
-    moves.template propose<ConcurrencyTag>(
+    m_moves.template propose<ConcurrencyTag>(
         [&](const Vertex_index v)
         { return (is_chosen.empty() || is_chosen[v] || is_due(v, kind)) && !m_mesh.point(v).is_fixed; },
         [&](const Vertex_index v, Vertex& state)
         { return state.is_on_curve ? slide(v, state, shifts[v]) : move(v, state, kind); },
         m_interruption);
-    moves.template revert_folds<ConcurrencyTag>(m_interruption);
+    m_moves.template revert_folds<ConcurrencyTag>(m_interruption);
     if (m_interruption.ask())
       return; // not all have been moved, or looked at
+    m_moves.template accept<ConcurrencyTag>(m_mesh);
     for (const Vertex_index v : m_mesh.vertices())
-      if (moves.is_moved(v))
-        accept(v, moves.state(v), shifts[v]);
+      if (m_moves.is_moved(v) && m_mesh.point(v).is_on_curve)
+        shift_arcs(v, shifts[v]);
   }
 
 private:
@@ -123,11 +125,8 @@ private:
     return largest;
   }
 
-  void accept(const Vertex_index v, const Vertex& state, const double shift) const
+  void shift_arcs(const Vertex_index v, const double shift) const
   {
-    m_mesh.point(v) = state;
-    if (!state.is_on_curve)
-      return;
     const Halfedge_index in = curve_halfedge(v), out = Curve_network::next_on_curve(in, m_mesh);
     Curve_arc before = m_mesh.arc(in), behind = m_mesh.arc(out);
     before.target += shift;
@@ -247,6 +246,7 @@ private:
   const Projection& m_projection;
   const Curve_network& m_curves;
   Interruption& m_interruption;
+  Simultaneous_moves<Mesh> m_moves;
 };
 
 } // namespace internal
