@@ -278,6 +278,39 @@ refuses 1 "touch in a point" "$data/pig.stl" precious.off
 printf 'OFF\n3 1 0\n1 1 1\n1 1 1\n1 1 1\n3 0 1 2\n' >point.off
 refuses 1 "point.off" point.off precious.off
 
+# -------------------------------------------------------------------------------------------------------------- repair
+for name in square twice edge flipped bow_tie; do
+  refuses 1 "--repair may mend it" $name.off precious.off
+done
+# repairs NAME NOTE OPTIONS...: of NAME.off, which the note tells
+repairs() {
+  local name=$1 text=$2
+  shift 2
+  check "repair $name" run 0 $name.off repaired.off --repair --iterations 0 --no-distance "$@"
+  check "it says: $text" says "$text"
+  check "no fold after it" grep -Eq '^folded faces +[0-9]+ +0$' stdout
+}
+repairs square "1 faces divided into triangles"
+repairs flipped "1 faces turned over"
+repairs bow_tie "1 points doubled where sheets touch"
+repairs edge "points doubled where sheets touch"
+repairs sphere "nothing to repair"
+check "repair of the touching sheets of the data" run 0 "$data/pig.stl" repaired.off --repair $quick
+# a sphere as a soup of single triangles, one of them twice, half of them turned
+awk '$1 == "v" { x[++n] = $2 " " $3 " " $4 }
+     $1 == "f" { split($2, a, "/"); split($3, b, "/"); split($4, c, "/"); t[++m] = a[1] " " b[1] " " c[1] }
+     END { print "OFF"; print 3 * m + 3, m + 1, 0
+           for (i = 1; i <= m + 1; ++i) { split(t[i > m ? 1 : i], v, " "); print x[v[1]]; print x[v[2]]; print x[v[3]] }
+           for (i = 0; i <= m; ++i) print 3, (i % 2 ? 3 * i " " 3 * i + 1 : 3 * i + 1 " " 3 * i), 3 * i + 2 }' \
+  sphere.obj >soup.off
+check "the soup without repair is one triangle after the other" [ "$("$program" soup.off o.off $quick | awk '/^components/ { print $2 }')" -gt 900 ]
+repairs soup "equal points merged" --json repair.json
+check "the soup is a sphere" grep -Eq '^Euler characteristic +2 +2$' stdout
+check "a double face" grep -q '"removed_faces": 1' repair.json
+refuses 1 "line 5" nan.stl precious.off --repair
+refuses 1 "face 1 of 1" index.obj precious.off --repair
+refuses 2 "excludes" heat.ply precious.off --repair --field heat
+
 # -------------------------------------------------------------------------------------------- a full disk, and signals
 echo precious >old.off
 (ulimit -f 8; exec "$program" "$data/sphere.off" old.off --faces 5000 $quick >stdout 2>stderr)
@@ -303,6 +336,11 @@ interrupt() {
 }
 interrupt INT 130
 interrupt TERM 143
+bash -c 'set -m; "$1" "$2" old.off --faces 60000 --iterations 100000 >stdout 2>stderr & sleep 2; kill -KILL $!; wait $!' \
+  - "$program" "$data/bunny00.off" 2>/dev/null
+check "status after SIGKILL" [ $? -eq 137 ]
+check "the old file after SIGKILL" grep -qx precious old.off
+rm -f .hde_remesh*
 
 rm -f stdout stderr
 echo "$passed passed, $failed failed"

@@ -43,11 +43,16 @@ class Soup_inspector
 public:
   Soup_inspector(const Soup& soup, const std::string& file_name) : m_soup(soup), m_file_name(file_name) {}
 
-  void inspect()
+  void inspect_points() const
   {
     if (m_soup.faces.empty())
       fail("it has no faces");
-    inspect_points();
+    inspect_coordinates();
+    inspect_indices();
+  }
+
+  void inspect_mesh()
+  {
     inspect_faces();
     inspect_edges();
     inspect_vertices();
@@ -55,6 +60,8 @@ public:
 
 private:
   [[noreturn]] void fail(const std::string& reason) const { throw Failure(in_quotes(m_file_name) + ": " + reason); }
+
+  [[noreturn]] void fail_but_for_repair(const std::string& reason) const { fail(reason + " (--repair may mend it)"); }
 
   std::string vertex(const std::size_t i) const
   {
@@ -66,12 +73,20 @@ private:
     return "face " + std::to_string(i + 1) + " of " + std::to_string(m_soup.faces.size());
   }
 
-  void inspect_points() const
+  void inspect_coordinates() const
   {
     for (std::size_t i = 0; i < m_soup.points.size(); ++i)
       for (int k = 0; k < 3; ++k)
         if (!std::isfinite(m_soup.points[i][k]))
           fail(vertex(i) + " has the coordinate " + std::to_string(m_soup.points[i][k]));
+  }
+
+  void inspect_indices() const
+  {
+    for (std::size_t i = 0; i < m_soup.faces.size(); ++i)
+      for (const std::size_t v : m_soup.faces[i])
+        if (v >= m_soup.points.size())
+          fail(face(i) + " names a vertex that does not exist: there are " + std::to_string(m_soup.points.size()));
   }
 
   void inspect_faces() const
@@ -80,12 +95,9 @@ private:
     {
       const std::vector<std::size_t>& f = m_soup.faces[i];
       if (f.size() != 3)
-        fail(face(i) + " has " + std::to_string(f.size()) + " vertices, but only triangles are remeshed");
-      for (const std::size_t v : f)
-        if (v >= m_soup.points.size())
-          fail(face(i) + " names a vertex that does not exist: there are " + std::to_string(m_soup.points.size()));
+        fail_but_for_repair(face(i) + " has " + std::to_string(f.size()) + " vertices, but only triangles are remeshed");
       if (f[0] == f[1] || f[1] == f[2] || f[2] == f[0])
-        fail(face(i) + " has the same vertex twice");
+        fail_but_for_repair(face(i) + " has the same vertex twice");
     }
   }
 
@@ -118,12 +130,12 @@ private:
       const Side& first = sides[begin];
       const std::string edge = "between " + vertex(first.low) + " and vertex " + std::to_string(first.high + 1);
       if (end - begin > 2)
-        fail("the edge " + edge + " has " + std::to_string(end - begin) + " faces, which no manifold mesh has");
+        fail_but_for_repair("the edge " + edge + " has " + std::to_string(end - begin) + " faces, which no manifold mesh has");
       if (end - begin < 2)
         continue;
       const Side& second = sides[begin + 1];
       if (first.is_upward == second.is_upward)
-        fail(face(first.corner_at_low / 3) + " and face " + std::to_string(second.corner_at_low / 3 + 1) +
+        fail_but_for_repair(face(first.corner_at_low / 3) + " and face " + std::to_string(second.corner_at_low / 3 + 1) +
              " are not oriented alike at their common edge " + edge);
       join(first.corner_at_low, second.corner_at_low);
       join(first.corner_at_high, second.corner_at_high);
@@ -141,7 +153,7 @@ private:
       if (sheets[v] == none)
         sheets[v] = sheet;
       else if (sheets[v] != sheet)
-        fail("at " + vertex(v) + " sheets of the surface touch in a point, which no manifold mesh does");
+        fail_but_for_repair("at " + vertex(v) + " sheets of the surface touch in a point, which no manifold mesh does");
     }
   }
 
@@ -161,9 +173,12 @@ private:
 
 } // namespace
 
+void check_points(const Soup& soup, const std::string& file_name) { Soup_inspector(soup, file_name).inspect_points(); }
+
 Checked_mesh mesh_of_soup(const Soup& soup, const std::string& file_name)
 {
-  Soup_inspector(soup, file_name).inspect();
+  check_points(soup, file_name);
+  Soup_inspector(soup, file_name).inspect_mesh();
   std::vector<char> is_used(soup.points.size(), 0);
   for (const std::vector<std::size_t>& f : soup.faces)
     for (const std::size_t v : f)

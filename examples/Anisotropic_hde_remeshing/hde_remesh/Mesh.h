@@ -31,6 +31,9 @@ struct Checked_mesh
 
 // The triangle mesh of a soup, with the vertices and faces in their order. Fails, with the name of the file and the
 // place, if the soup is no manifold, consistently oriented mesh of triangles.
+// the first thing wrong with the soup ends the program: with the points, and which of them the faces name; with the rest, which
+// --repair may mend
+void check_points(const Soup& soup, const std::string& file_name);
 Checked_mesh mesh_of_soup(const Soup& soup, const std::string& file_name);
 
 Soup soup_of_mesh(const Mesh& mesh);

@@ -10,6 +10,7 @@
 #define HDE_REMESH_REPORT_H
 
 #include "Figures.h"
+#include "repair.h"
 
 #include <CGAL/Anisotropic_hde_remeshing/Rbf_diagnostics.h>
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_result.h>
@@ -28,6 +29,7 @@ struct Report
 {
   std::string input, output, version;
   std::size_t number_of_isolated_vertices = 0;
+  std::optional<Repair> repair; // if it was asked for
   std::string kernel, scheme, embedding;
   bool has_6d_lengths = true; // the embedding is the paper's
   double diagonal = 0; // of the bounding box of the input

@@ -19,6 +19,7 @@
 #include "options.h"
 #include "progress.h"
 #include "remesh.h"
+#include "repair.h"
 #include "signals.h"
 
 #include <CGAL/assertions_behaviour.h>
@@ -35,6 +36,7 @@
 #include <new>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace hde_remesh {
@@ -67,9 +69,15 @@ void read_field(const Options& options, Checked_mesh& input)
     field[v] = values.at(input.positions[v]);
 }
 
-Checked_mesh read_mesh(const Options& options)
+Checked_mesh read_mesh(const Options& options, Report& report)
 {
-  Checked_mesh input = mesh_of_soup(read_soup(options.input), options.input);
+  Soup soup = read_soup(options.input);
+  if (options.repair)
+  {
+    check_points(soup, options.input);
+    soup = repaired(std::move(soup), report.repair.emplace());
+  }
+  Checked_mesh input = mesh_of_soup(soup, options.input);
   const double d = diagonal(input.mesh);
   if (!std::isfinite(d * d) || !(d * d > 0))
     throw Failure(in_quotes(options.input) + ": its bounding box has the diagonal " + std::to_string(d) +
@@ -197,13 +205,13 @@ void run(const Options& options)
 
   check_files(options);
   progress.stage("reading");
-  const Checked_mesh input = read_mesh(options);
+  const Checked_mesh input = read_mesh(options, report);
   end_stage("reading", stopwatch.lap());
+  progress.clear();
+  if (report.repair)
+    note(options, "repair: " + report.repair->text());
   if (input.number_of_isolated_vertices > 0)
-  {
-    progress.clear();
     note(options, std::to_string(input.number_of_isolated_vertices) + " vertices without a face are left out");
-  }
 
   const Sizes sizes = sizes_of(options, input.mesh);
   const Remeshed remeshed = remesh(input.mesh, sizes, options, progress);

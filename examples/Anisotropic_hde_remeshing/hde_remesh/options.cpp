@@ -250,8 +250,12 @@ std::optional<Options> read_command_line(const int argc, char** argv)
   app.get_formatter()->column_width(34);
   app.add_option("IN", o.input, "the mesh: triangles, manifold, with or without boundary")->required()->type_name("");
   app.add_option("OUT", o.output, "where the new mesh is written")->required()->type_name("");
+  auto* repair = app.add_flag("--repair", o.repair,
+                              "mend IN first: merge equal points, drop double faces, orient the faces alike, double the\n"
+                              "points where sheets touch, divide polygons into triangles, stitch edges");
   add_size_options(app, o);
   add_embedding_options(app, o);
+  app.get_option("--field")->excludes(repair);
   add_function_options(app, o);
   add_remeshing_options(app, o);
   add_report_options(app, o);

@@ -35,6 +35,7 @@ struct Options
   std::string scheme = "default";
   std::optional<long long> threads;
   std::string json;
+  bool repair = false;
   bool self_intersections = false, no_distance = false, quiet = false;
 };
 

@@ -133,6 +133,14 @@ Json to_json(const Hde::Distance_measures& m)
           {"max", m.max()}};
 }
 
+Json to_json(const Repair& repair)
+{
+  return {{"merged_points", repair.merged_points},   {"removed_points", repair.removed_points},
+          {"removed_faces", repair.removed_faces},   {"turned_faces", repair.turned_faces},
+          {"doubled_points", repair.doubled_points}, {"divided_faces", repair.divided_faces},
+          {"stitched_edges", repair.stitched_edges}};
+}
+
 } // namespace
 
 std::string to_json(const Report& report)
@@ -146,6 +154,8 @@ std::string to_json(const Report& report)
                {"kernel", report.kernel},
                {"scheme", report.scheme},
                {"isolated_vertices", report.number_of_isolated_vertices}};
+  if (report.repair)
+    json["repair"] = to_json(*report.repair);
   if (report.number_of_target_faces)
     json["target_faces"] = *report.number_of_target_faces;
   json["embedding"] = report.embedding;
