@@ -326,8 +326,7 @@ double bounding_box_diagonal(const TriangleMesh& mesh)
   const auto vpm = get(CGAL::vertex_point, mesh);
   for (const auto v : vertices(mesh))
     box += get(vpm, v).bbox();
-  return std::sqrt(
-      CGAL::squared_distance(Point_3(box.xmin(), box.ymin(), box.zmin()), Point_3(box.xmax(), box.ymax(), box.zmax())));
+  return std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin());
 }
 
 // `n` points spread evenly over the unit sphere, at no vertex of an icosphere

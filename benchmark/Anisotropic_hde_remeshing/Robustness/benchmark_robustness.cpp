@@ -120,6 +120,14 @@ Polygon_soup repaired(Polygon_soup soup)
   return soup;
 }
 
+// in a unit of its own, in which the predicates of the kernel neither overflow nor vanish
+Mesh in_unit(Mesh mesh, const double unit)
+{
+  for (const Mesh::Vertex_index v : mesh.vertices())
+    mesh.point(v) = CGAL::ORIGIN + (mesh.point(v) - CGAL::ORIGIN) / unit;
+  return mesh;
+}
+
 // what the package promises, of the first thing that does not hold; empty if all does
 std::string broken_promise(const Mesh& before, const Mesh& after, const Function& function, const Hde::Remeshing_result& result)
 {
@@ -138,13 +146,14 @@ std::string broken_promise(const Mesh& before, const Mesh& after, const Function
     for (int i = 0; i < 3; ++i)
       if (!std::isfinite(after.point(v)[i]))
         return "a coordinate is not finite";
-  if (Hde::measure_shape(after).number_of_degenerate_faces > Hde::measure_shape(before).number_of_degenerate_faces)
+  const double diagonal = shapes::bounding_box_diagonal(before), unit = std::exp2(std::round(std::log2(diagonal)));
+  if (Hde::measure_shape(in_unit(after, unit)).number_of_degenerate_faces >
+      Hde::measure_shape(in_unit(before, unit)).number_of_degenerate_faces)
     return "there are new degenerate faces";
   const std::size_t folds = Hde::measure_embedding(after, function).number_of_folded_faces;
   if (folds > Hde::measure_embedding(before, function).number_of_folded_faces)
     return std::to_string(folds) + " faces are folded";
   std::size_t number_off_surface = 0;
-  const double diagonal = shapes::bounding_box_diagonal(before);
   for (const Mesh::Vertex_index v : after.vertices())
     if (!after.is_border(v))
     {

@@ -30,19 +30,6 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-template <typename TriangleMesh>
-void remove_all_elements_of(TriangleMesh& tmesh)
-{
-  CGAL::clear(tmesh);
-}
-
-// keeps the property maps of the caller, among them perhaps the one of the points
-template <typename Point>
-void remove_all_elements_of(Surface_mesh<Point>& tmesh)
-{
-  tmesh.clear_without_removing_property_maps();
-}
-
 // elements without connectivity
 template <typename TriangleMesh>
 struct New_elements
@@ -53,40 +40,88 @@ struct New_elements
 };
 
 template <typename TriangleMesh>
-New_elements<TriangleMesh> add_one_by_one(const std::size_t number_of_vertices, const std::size_t number_of_edges,
-                                          const std::size_t number_of_faces, TriangleMesh& tmesh)
+void reserve_elements(std::size_t, std::size_t, std::size_t, TriangleMesh&)
 {
-  New_elements<TriangleMesh> result;
-  result.vertices.resize(number_of_vertices);
-  for (auto& v : result.vertices)
-    v = add_vertex(tmesh);
-  result.edges.resize(number_of_edges);
-  for (auto& e : result.edges)
-    e = add_edge(tmesh);
-  result.faces.resize(number_of_faces);
-  for (auto& f : result.faces)
-    f = add_face(tmesh);
-  return result;
 }
 
+// One that runs out of memory while it adds an element is left with property maps of different sizes.
+template <typename Point>
+void reserve_elements(const std::size_t number_of_vertices, const std::size_t number_of_edges,
+                      const std::size_t number_of_faces, Surface_mesh<Point>& tmesh)
+{
+  typedef typename Surface_mesh<Point>::size_type size_type;
+  tmesh.reserve(size_type(tmesh.num_vertices() + number_of_vertices), size_type(tmesh.num_edges() + number_of_edges),
+                size_type(tmesh.num_faces() + number_of_faces));
+}
+
+// all of them, or none if one throws
 template <typename TriangleMesh>
 New_elements<TriangleMesh> add_elements(const std::size_t number_of_vertices, const std::size_t number_of_edges,
                                         const std::size_t number_of_faces, TriangleMesh& tmesh)
 {
-  return add_one_by_one(number_of_vertices, number_of_edges, number_of_faces, tmesh);
+  New_elements<TriangleMesh> result;
+  result.vertices.reserve(number_of_vertices);
+  result.edges.reserve(number_of_edges);
+  result.faces.reserve(number_of_faces);
+  reserve_elements(number_of_vertices, number_of_edges, number_of_faces, tmesh);
+  try
+  {
+    while (result.vertices.size() < number_of_vertices)
+      result.vertices.push_back(add_vertex(tmesh));
+    while (result.edges.size() < number_of_edges)
+      result.edges.push_back(add_edge(tmesh));
+    while (result.faces.size() < number_of_faces)
+      result.faces.push_back(add_face(tmesh));
+  }
+  catch (...)
+  {
+    for (const auto f : result.faces)
+      remove_face(f, tmesh);
+    for (const auto e : result.edges)
+      remove_edge(e, tmesh);
+    for (const auto v : result.vertices)
+      remove_vertex(v, tmesh);
+    throw;
+  }
+  return result;
 }
 
-// at once where the mesh is empty, in a fraction of the time
+// in the place of all that there are
+template <typename TriangleMesh>
+New_elements<TriangleMesh> replace_elements(const std::size_t number_of_vertices, const std::size_t number_of_edges,
+                                            const std::size_t number_of_faces, TriangleMesh& tmesh)
+{
+  typedef boost::graph_traits<TriangleMesh> Graph_traits;
+  const std::vector<typename Graph_traits::vertex_descriptor> old_vertices(vertices(tmesh).begin(), vertices(tmesh).end());
+  const std::vector<typename Graph_traits::edge_descriptor> old_edges(edges(tmesh).begin(), edges(tmesh).end());
+  const std::vector<typename Graph_traits::face_descriptor> old_faces(faces(tmesh).begin(), faces(tmesh).end());
+  const New_elements<TriangleMesh> result = add_elements(number_of_vertices, number_of_edges, number_of_faces, tmesh);
+  for (const auto f : old_faces)
+    remove_face(f, tmesh);
+  for (const auto e : old_edges)
+    remove_edge(e, tmesh);
+  for (const auto v : old_vertices)
+    remove_vertex(v, tmesh);
+  return result;
+}
+
+// At once, in a fraction of the time. The property maps of the caller stay, among them perhaps the one of the points.
 template <typename Point>
-New_elements<Surface_mesh<Point>> add_elements(const std::size_t number_of_vertices, const std::size_t number_of_edges,
-                                               const std::size_t number_of_faces, Surface_mesh<Point>& tmesh)
+New_elements<Surface_mesh<Point>> replace_elements(const std::size_t number_of_vertices, const std::size_t number_of_edges,
+                                                   const std::size_t number_of_faces, Surface_mesh<Point>& tmesh)
 {
   typedef Surface_mesh<Point> Mesh;
   typedef typename Mesh::size_type size_type;
-  if (tmesh.num_vertices() + tmesh.num_edges() + tmesh.num_faces() > 0)
-    return add_one_by_one(number_of_vertices, number_of_edges, number_of_faces, tmesh);
-  tmesh.resize(size_type(number_of_vertices), size_type(number_of_edges), size_type(number_of_faces));
   New_elements<Mesh> result;
+  result.vertices.reserve(number_of_vertices);
+  result.edges.reserve(number_of_edges);
+  result.faces.reserve(number_of_faces);
+  if (tmesh.has_garbage())
+    tmesh.collect_garbage();
+  // from here to the end nothing asks for memory
+  tmesh.reserve(size_type(number_of_vertices), size_type(number_of_edges), size_type(number_of_faces));
+  tmesh.resize(0, 0, 0);
+  tmesh.resize(size_type(number_of_vertices), size_type(number_of_edges), size_type(number_of_faces));
   result.vertices.assign(tmesh.vertices().begin(), tmesh.vertices().end());
   result.edges.assign(tmesh.edges().begin(), tmesh.edges().end());
   result.faces.assign(tmesh.faces().begin(), tmesh.faces().end());
@@ -94,7 +129,8 @@ New_elements<Surface_mesh<Point>> add_elements(const std::size_t number_of_verti
 }
 
 // Replaces the remeshed faces of the caller's mesh. What it does not replace keeps its descriptors: all outside of these faces,
-// the fixed vertices, and the edges that must not be touched.
+// the fixed vertices, and the edges that must not be touched. Where memory runs out, the caller's mesh is as it was: what asks for
+// some comes first.
 template <typename ConcurrencyTag, typename Mesh, typename TriangleMesh, typename VertexPointMap, typename Constraints>
 class Mesh_storer
 {
@@ -115,20 +151,23 @@ public:
   // `is_all_replaced`: nothing needs to keep its descriptors
   void operator()(const bool is_all_replaced)
   {
-    std::vector<Halfedge> border; // whose next halfedge may be another one in the end
     const auto patches = patches_of_input(is_all_replaced);
+    if (!is_all_replaced)
+      keep_elements();
+    list_new_elements(is_all_replaced);
+    New_elements<TriangleMesh> added;
     if (is_all_replaced)
-      remove_all_elements_of(m_tmesh);
+      added = replace_elements(m_new_vertices.size(), m_new_edges.size(), m_new_faces.size(), m_tmesh);
     else
     {
-      keep_elements();
-      remove_elements(border);
+      const Old_elements gone = list_old_elements();
+      added = add_elements(m_new_vertices.size(), m_new_edges.size(), m_new_faces.size(), m_tmesh);
+      remove(gone);
     }
-    const New_elements<TriangleMesh> added = add_new_elements(is_all_replaced);
     place_vertices(added.vertices, is_all_replaced);
-    connect_edges(added.edges, is_all_replaced, border);
+    connect_edges(added.edges, is_all_replaced);
     connect_faces(added.faces, is_all_replaced);
-    close_border(border);
+    close_border();
     if (!is_all_replaced)
       put_patches(added.faces, patches);
   }
@@ -170,8 +209,14 @@ private:
       }
   }
 
-  // the faces that are replaced, with their edges and vertices but those that are kept
-  void remove_elements(std::vector<Halfedge>& border)
+  struct Old_elements
+  {
+    std::vector<Edge> edges;
+    std::vector<Vertex> vertices;
+  };
+
+  // the edges and vertices of the faces that are replaced, but those that are kept; and the border that stays
+  Old_elements list_old_elements()
   {
     enum : char { STAYS, GOES };
     const auto edge_state = get(dynamic_edge_property_t<char>(), m_tmesh);
@@ -193,22 +238,29 @@ private:
       if (m_mesh.point(v).is_fixed)
         put(vertex_state, m_vertices[v], char(STAYS));
 
+    Old_elements gone;
+    for (const Edge e : edges(m_tmesh))
+      if (get(edge_state, e) == GOES)
+        gone.edges.push_back(e);
+    for (const Vertex v : vertices(m_tmesh))
+      if (get(vertex_state, v) == GOES)
+        gone.vertices.push_back(v);
+    std::vector<Halfedge> border;
     for (const Halfedge h : halfedges(m_tmesh))
       if (is_border(h, m_tmesh) && get(edge_state, edge(h, m_tmesh)) == STAYS)
         border.push_back(h);
-    std::vector<Edge> gone_edges;
-    for (const Edge e : edges(m_tmesh))
-      if (get(edge_state, e) == GOES)
-        gone_edges.push_back(e);
-    std::vector<Vertex> gone_vertices;
-    for (const Vertex v : vertices(m_tmesh))
-      if (get(vertex_state, v) == GOES)
-        gone_vertices.push_back(v);
+    m_border.reserve(border.size() + m_border.capacity());
+    m_border.assign(border.begin(), border.end());
+    return gone;
+  }
+
+  void remove(const Old_elements& gone)
+  {
     for (const Face f : m_origin.faces)
       remove_face(f, m_tmesh);
-    for (const Edge e : gone_edges)
+    for (const Edge e : gone.edges)
       remove_edge(e, m_tmesh);
-    for (const Vertex v : gone_vertices)
+    for (const Vertex v : gone.vertices)
       remove_vertex(v, m_tmesh);
   }
 
@@ -222,14 +274,21 @@ private:
     return m_halfedges[index(m_mesh.halfedge(e))] != Graph_traits::null_halfedge();
   }
 
-  New_elements<TriangleMesh> add_new_elements(const bool is_all_replaced)
+  // and reserves memory for their border
+  void list_new_elements(const bool is_all_replaced)
   {
-    std::size_t number_of_vertices = 0, number_of_edges = 0;
+    std::size_t number_of_border_edges = 0;
     for (const Vertex_index v : m_mesh.vertices())
-      number_of_vertices += is_kept(v, is_all_replaced) ? 0 : 1;
+      if (!is_kept(v, is_all_replaced))
+        m_new_vertices.push_back(v);
     for (const Edge_index e : m_mesh.edges())
-      number_of_edges += is_kept(e) ? 0 : 1;
-    return add_elements(number_of_vertices, number_of_edges, m_mesh.number_of_faces(), m_tmesh);
+      if (!is_kept(e))
+      {
+        m_new_edges.push_back(e);
+        number_of_border_edges += m_mesh.is_border(e) ? 1 : 0;
+      }
+    m_new_faces.assign(m_mesh.faces().begin(), m_mesh.faces().end());
+    m_border.reserve(number_of_border_edges);
   }
 
   // Elements of a Surface_mesh are written by several threads. The maps of the caller may not stand that; where all elements
@@ -259,48 +318,37 @@ private:
   void place_vertices(const std::vector<Vertex>& added, const bool is_all_replaced)
   {
     typedef typename boost::property_traits<VertexPointMap>::value_type Point;
-    std::vector<Vertex_index> placed;
-    placed.reserve(added.size());
-    for (const Vertex_index v : m_mesh.vertices())
-      if (!is_kept(v, is_all_replaced))
-      {
-        m_vertices[v] = added[placed.size()];
-        placed.push_back(v);
-      }
-    for_each(placed.size(), is_all_replaced,
+    for (std::size_t i = 0; i < added.size(); ++i)
+      m_vertices[m_new_vertices[i]] = added[i];
+    for_each(added.size(), is_all_replaced,
              [&](const std::size_t i)
              {
-               const Vector p = m_origin.unit * m_mesh.point(placed[i]).point;
+               const Vector p = m_origin.unit * m_mesh.point(m_new_vertices[i]).point;
                put(m_vpm, added[i], Point(p[0], p[1], p[2]));
              });
   }
 
-  void connect_edges(const std::vector<Edge>& added, const bool is_all_replaced, std::vector<Halfedge>& border)
+  void connect_edges(const std::vector<Edge>& added, const bool is_all_replaced)
   {
-    std::vector<Edge_index> connected;
-    connected.reserve(added.size());
-    for (const Edge_index e : m_mesh.edges())
-      if (!is_kept(e))
-        connected.push_back(e);
-    for_each(connected.size(), is_all_replaced,
+    for_each(added.size(), is_all_replaced,
              [&](const std::size_t i)
              {
-               const Halfedge_index h = m_mesh.halfedge(connected[i]), g = m_mesh.opposite(h);
+               const Halfedge_index h = m_mesh.halfedge(m_new_edges[i]), g = m_mesh.opposite(h);
                m_halfedges[index(h)] = halfedge(added[i], m_tmesh);
                m_halfedges[index(g)] = opposite(m_halfedges[index(h)], m_tmesh);
                for (const Halfedge_index side : {h, g})
                  set_target(m_halfedges[index(side)], m_vertices[m_mesh.target(side)], m_tmesh);
              });
-    for (std::size_t i = 0; i < connected.size(); ++i)
+    for (std::size_t i = 0; i < added.size(); ++i)
     {
-      const Edge_index e = connected[i];
+      const Edge_index e = m_new_edges[i];
       const bool is_on_border = m_mesh.is_border(e);
       if (is_on_border)
         for (const Halfedge_index side : {m_mesh.halfedge(e), m_mesh.opposite(m_mesh.halfedge(e))})
           if (m_mesh.is_border(side))
           {
             set_face(m_halfedges[index(side)], Graph_traits::null_face(), m_tmesh);
-            border.push_back(m_halfedges[index(side)]);
+            m_border.push_back(m_halfedges[index(side)]);
           }
       if (!is_all_replaced)
         put(m_constraints.edge_is_constrained, added[i], m_mesh.is_on_curve(e) && !is_on_border);
@@ -309,11 +357,10 @@ private:
 
   void connect_faces(const std::vector<Face>& added, const bool is_all_replaced)
   {
-    std::vector<Face_index> connected(m_mesh.faces().begin(), m_mesh.faces().end());
-    for_each(connected.size(), is_all_replaced,
+    for_each(added.size(), is_all_replaced,
              [&](const std::size_t i)
              {
-               Halfedge_index h = m_mesh.halfedge(connected[i]);
+               Halfedge_index h = m_mesh.halfedge(m_new_faces[i]);
                set_halfedge(added[i], m_halfedges[index(h)], m_tmesh);
                for (int k = 0; k < 3; ++k, h = m_mesh.next(h))
                {
@@ -335,9 +382,9 @@ private:
 
   // At a manifold vertex there is one border halfedge that leaves it, beyond the faces about it. It is the vertex's own, as
   // in a mesh that CGAL builds.
-  void close_border(const std::vector<Halfedge>& border)
+  void close_border() const
   {
-    for (const Halfedge h : border)
+    for (const Halfedge h : m_border)
     {
       Halfedge out = opposite(h, m_tmesh);
       while (!is_border(out, m_tmesh))
@@ -354,6 +401,10 @@ private:
   const Constraints& m_constraints;
   std::vector<Vertex> m_vertices;
   std::vector<Halfedge> m_halfedges; // of the caller's mesh, by those of the working mesh
+  std::vector<Vertex_index> m_new_vertices; // what the caller's mesh does not have yet
+  std::vector<Edge_index> m_new_edges;
+  std::vector<Face_index> m_new_faces;
+  std::vector<Halfedge> m_border; // whose next halfedge may be another one in the end
 };
 
 } // namespace internal
