@@ -14,13 +14,9 @@
 # BUILD_DIR (default build/benchmark) and JOBS (default 2) may be set in the environment.
 
 set -euo pipefail
-# relative to where the user is, not to the repository
-meshes=()
-for mesh in "$@"; do
-  meshes+=("$(realpath "$mesh")")
-done
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+absolute_paths "$@"
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-source scripts/common.sh
 
 build_benchmark benchmark_remeshing
 meshes+=("$data/bunny00.off")

@@ -15,15 +15,12 @@
 # build/benchmark) and JOBS (default 2) may be set in the environment, too.
 
 set -euo pipefail
-meshes=()
-for mesh in "$@"; do
-  meshes+=("$(realpath "$mesh")")
-done
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+absolute_paths "$@"
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-source scripts/common.sh
 
 build_benchmark benchmark_robustness
-mapfile -t cases < <("$program" --list | sed '$d')
+mapfile -t cases < <("$program" --list)
 while IFS= read -r -d '' file; do
   cases+=("$file")
 done < <(find "${meshes[@]}" "$data" -type f \( -name '*.off' -o -name '*.obj' -o -name '*.ply' -o -name '*.stl' \) -print0 | sort -z)

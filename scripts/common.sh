@@ -74,3 +74,12 @@ build_benchmark() {
   program=$(find "$build_dir" -name "$1" -type f -perm -u+x)
   data=$(cgal_data_dir "$build_dir")/meshes
 }
+
+# absolute_paths FILE...: sets meshes to the files, which are relative to where the user is, not to the repository
+absolute_paths() {
+  meshes=()
+  local file
+  for file in "$@"; do
+    meshes+=("$(realpath "$file")")
+  done
+}

@@ -20,14 +20,14 @@
 #include <map>
 #include <random>
 #include <string>
+#include <utility>
 
 namespace awkward_shapes {
 
 using shapes::Point_3;
 using shapes::Soup;
 using shapes::Vector_3;
-
-constexpr double pi = 3.14159265358979323846;
+using shapes::pi;
 
 inline void append(Soup& soup, const Soup& other, const Vector_3& shift = Vector_3(0, 0, 0), const double scale = 1)
 {

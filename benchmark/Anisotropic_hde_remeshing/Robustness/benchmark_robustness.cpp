@@ -320,8 +320,11 @@ int main(int argc, char* argv[])
     if (argument == "--quick")
       is_quick = true;
     else if (argument == "--list")
+    {
       for (const auto& shape : awkward_shapes::all())
         std::cout << shape.first << "\n";
+      return 0;
+    }
     else
     {
       Cases cases(argument, is_quick);

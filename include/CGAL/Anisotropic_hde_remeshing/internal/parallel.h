@@ -95,7 +95,6 @@ void parallel_for(const std::size_t n, const Function& f, const std::size_t grai
   parallel_for<ConcurrencyTag>(n, f, grain, never);
 }
 
-// the same result with and without threads, as no two elements may be equal
 // the sum of `f(i)` over i in [0, n), always in the same order of addition
 template <typename ConcurrencyTag, typename Function>
 double parallel_sum(const std::size_t n, const Function& f)
@@ -106,13 +105,16 @@ double parallel_sum(const std::size_t n, const Function& f)
       sums.size(),
       [&](const std::size_t k)
       {
+        double sum = 0;
         for (std::size_t i = k * part; i < (std::min)(n, (k + 1) * part); ++i)
-          sums[k] += f(i);
+          sum += f(i);
+        sums[k] = sum;
       },
       1);
   return std::accumulate(sums.begin(), sums.end(), 0.);
 }
 
+// the same result with and without threads, as no two elements may be equal
 template <typename ConcurrencyTag, typename Vector>
 void parallel_sort(Vector& elements)
 {

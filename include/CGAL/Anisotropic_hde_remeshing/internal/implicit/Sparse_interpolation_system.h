@@ -25,8 +25,8 @@ namespace Anisotropic_hde_remeshing {
 namespace internal {
 
 // The same system for a positive definite function of compact support, whose matrix A is sparse: alpha = A^-1 (f - P beta)
-// with (P^T A^-1 P) beta = P^T A^-1 f, A factorised by sparse Cholesky. A
-// template, so that it is compiled for those only who use such a function.
+// with (P^T A^-1 P) beta = P^T A^-1 f, A factorised by sparse Cholesky. A template, so that it is compiled for those only
+// who use such a function.
 template <typename Sparse_matrix>
 class Sparse_interpolation_system
 {

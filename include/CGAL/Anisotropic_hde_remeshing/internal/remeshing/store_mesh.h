@@ -129,8 +129,8 @@ New_elements<Surface_mesh<Point>> replace_elements(const std::size_t number_of_v
 }
 
 // Replaces the remeshed faces of the caller's mesh. What it does not replace keeps its descriptors: all outside of these faces,
-// the fixed vertices, and the edges that must not be touched. Where memory runs out, the caller's mesh is as it was: what asks for
-// some comes first.
+// the fixed vertices, and the edges that must not be touched. Where memory runs out, the caller's mesh is as it was, but for
+// the garbage of a Surface_mesh, which may be collected: what asks for memory comes first.
 template <typename ConcurrencyTag, typename Mesh, typename TriangleMesh, typename VertexPointMap, typename Constraints>
 class Mesh_storer
 {

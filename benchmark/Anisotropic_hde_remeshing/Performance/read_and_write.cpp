@@ -1,0 +1,25 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+// What the program of the README does but for the remeshing: its compile time is that of CGAL.
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+
+#include <iostream>
+
+typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
+
+int main(int argc, char* argv[])
+{
+  Mesh mesh;
+  if (argc != 3 || !CGAL::IO::read_polygon_mesh(argv[1], mesh))
+    return std::cerr << "usage: read_and_write IN OUT" << std::endl, 1;
+  return CGAL::IO::write_polygon_mesh(argv[2], mesh, CGAL::parameters::stream_precision(17)) ? 0 : 1;
+}
