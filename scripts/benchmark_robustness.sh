@@ -11,7 +11,7 @@
 # folders given, each with many weights and numbers of faces, in a process of its own. Prints a line a mesh, each case that
 # fails, and `N passed, N failed`; the exit status is 0 if none failed.
 # Usage: scripts/benchmark_robustness.sh [MESH|FOLDER...]
-# QUICK=1 tries four cases a mesh instead of 25; SECONDS_A_MESH (default 1800) bounds the time of a mesh. BUILD_DIR (default
+# QUICK=1 tries six cases a mesh instead of 30; SECONDS_A_MESH (default 1800) bounds the time of a mesh. BUILD_DIR (default
 # build/benchmark) and JOBS (default 2) may be set in the environment, too.
 
 set -euo pipefail

@@ -210,6 +210,14 @@ descriptors; if none are given, all elements are replaced: descriptors become in
     \cgalParamType{bool}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
+  \cgalParamNBegin{do_self_intersection_tests}
+    \cgalParamDescription{whether every operation is refused that would let a face intersect another one, of all faces of `tmesh`,
+                          unless one of the faces in its place did so already: the result has no self-intersection that the input
+                          did not have, up to the rounding of the points where these are not of `double`. It takes about twice the
+                          time.}
+    \cgalParamType{bool}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
   \cgalParamNBegin{vertex_location_map}
     \cgalParamDescription{is told for every vertex of the result the closest point of the input; see
                           `Anisotropic_hde_remeshing::transfer_vertex_property()`}

@@ -142,6 +142,9 @@ refuses 2 "excludes" $sphere precious.off --error .1 --length 1
 refuses 1 "above 0" $sphere precious.off --error 0
 check "self-intersections" run 0 $sphere s.off --self-intersections $quick
 check "their row" grep -Eq '^pairs of faces that intersect +0 +0$' stdout
+check "no new self-intersections" run 0 $sphere n.off --avoid-self-intersections --self-intersections $quick
+check "their row again" grep -Eq '^pairs of faces that intersect +0 +0$' stdout
+check "no folded edges" grep -Eq '^folded edges +0 +0$' stdout
 check "quiet" run 0 $sphere q.off --quiet $quick
 check "quiet is silent" [ ! -s stdout -a ! -s stderr ]
 check "one thread" run 0 $sphere threads_1.off --threads 1 $quick

@@ -132,6 +132,20 @@ void test_shape()
   CHECK_CLOSE(shape.aspect_ratio_mean, 1.25, 1e-14);
   CHECK(std::isinf(shape.aspect_ratio_max));
 
+  // two faces on both sides of an edge, which fold over it from 143.13 degrees on, in any unit
+  for (const double unit : {1e-300, 1., 1e300})
+    for (const double degrees : {0., 90., 143., 143.3, 179.})
+    {
+      const double turn = degrees * CGAL_PI / 180;
+      Mesh book;
+      const auto add = [&](const double x, const double y, const double z)
+      { return book.add_vertex(Point_3(unit * x, unit * y, unit * z)); };
+      const auto a = add(0, 0, 0), b = add(1, 0, 0), c = add(0.5, 1, 0), d = add(0.5, -std::cos(turn), std::sin(turn));
+      book.add_face(a, b, c);
+      book.add_face(b, a, d);
+      CHECK(Hde::measure_shape(book).number_of_folded_edges == std::size_t(degrees > 143.2));
+    }
+
   CHECK_CLOSE(Hde::measure_shape(icosphere(0)).aspect_ratio_max, 1, 1e-14);
   CHECK_CLOSE(Hde::measure_shape(grid<Mesh>(20, 0)).aspect_ratio_p99, std::sqrt(2.) / (4 - 2 * std::sqrt(2.)), 1e-12);
   CHECK(Hde::measure_shape(Mesh()).aspect_ratio_max == 0);

@@ -8,7 +8,7 @@
 
 // Remeshes meshes of all kinds, with weights from none to enormous, to numbers of faces from four to twenty times as many, and
 // holds each result against what the package promises: a valid mesh of the same topology, in time, or a documented refusal with
-// the mesh as it was.
+// the mesh as it was; for as many faces also with tests of self-intersection.
 //
 // benchmark_robustness [--quick] [--list] MESH...
 //   MESH     a file, or the name of a generated mesh; --list lists these
@@ -16,18 +16,14 @@
 // A mesh that is none, for its orientation, say, is tried as it is and once more after CGAL's repair.
 
 #include "awkward_shapes.h"
-#include "remeshing_checks.h"
+#include "polygon_soups.h"
+#include "promises.h"
 
-#include <CGAL/Anisotropic_hde_remeshing/quality_measures.h>
-#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
-#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/Rbf_implicit_function.h>
-#include <CGAL/anisotropic_hde_remeshing.h>
-#include <CGAL/IO/polygon_soup_io.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <exception>
@@ -41,8 +37,7 @@
 
 namespace {
 
-namespace Hde = CGAL::Anisotropic_hde_remeshing;
-namespace PMP = CGAL::Polygon_mesh_processing;
+using polygon_soups::Polygon_soup;
 typedef CGAL::Parallel_if_available_tag Tag;
 typedef CGAL::Rbf_implicit_function<shapes::Kernel> Function;
 typedef shapes::Mesh Mesh;
@@ -50,13 +45,6 @@ typedef shapes::Mesh Mesh;
 // time a case may take, in seconds: some, and so much a face of input and output
 constexpr double seconds_for_any = 10, seconds_for_a_face = 1e-3;
 constexpr double largest_number_of_faces = 400000; // larger results are left out, and counted
-constexpr double largest_distance = 1e-8;          // to the zero set, of the diagonal
-
-struct Polygon_soup
-{
-  std::vector<shapes::Point_3> points;
-  std::vector<std::vector<std::size_t>> polygons;
-};
 
 struct Counts
 {
@@ -65,105 +53,20 @@ struct Counts
 
 std::optional<Polygon_soup> read(const std::string& name)
 {
-  Polygon_soup soup;
   const auto generated = awkward_shapes::all();
   const auto found = generated.find(name);
-  if (found == generated.end())
+  if (found != generated.end())
+    return polygon_soups::to_polygons(found->second());
+  Polygon_soup soup;
+  try
   {
-    bool is_read = false;
-    try
-    {
-      is_read = CGAL::IO::read_polygon_soup(name, soup.points, soup.polygons);
-    }
-    catch (const std::exception&)
-    {
-    }
-    return is_read ? std::optional<Polygon_soup>(soup) : std::nullopt;
+    if (CGAL::IO::read_polygon_soup(name, soup.points, soup.polygons))
+      return soup;
   }
-  const shapes::Soup triangles = found->second();
-  soup.points = triangles.points;
-  for (const auto& t : triangles.triangles)
-    soup.polygons.push_back({t[0], t[1], t[2]});
-  return soup;
-}
-
-bool is_finite(const Polygon_soup& soup)
-{
-  for (const shapes::Point_3& p : soup.points)
-    if (!std::isfinite(p.x()) || !std::isfinite(p.y()) || !std::isfinite(p.z()))
-      return false;
-  return true;
-}
-
-bool has_valid_indices(const Polygon_soup& soup)
-{
-  for (const auto& polygon : soup.polygons)
-    for (const std::size_t i : polygon)
-      if (i >= soup.points.size())
-        return false;
-  return true;
-}
-
-std::optional<Mesh> mesh_of(const Polygon_soup& soup)
-{
-  if (!PMP::is_polygon_soup_a_polygon_mesh(soup.polygons))
-    return std::nullopt;
-  Mesh mesh;
-  PMP::polygon_soup_to_polygon_mesh(soup.points, soup.polygons, mesh);
-  return mesh;
-}
-
-Polygon_soup repaired(Polygon_soup soup)
-{
-  PMP::repair_polygon_soup(soup.points, soup.polygons);
-  PMP::orient_polygon_soup(soup.points, soup.polygons);
-  return soup;
-}
-
-// in a unit of its own, in which the predicates of the kernel neither overflow nor vanish
-Mesh in_unit(Mesh mesh, const double unit)
-{
-  for (const Mesh::Vertex_index v : mesh.vertices())
-    mesh.point(v) = CGAL::ORIGIN + (mesh.point(v) - CGAL::ORIGIN) / unit;
-  return mesh;
-}
-
-// what the package promises, of the first thing that does not hold; empty if all does
-std::string broken_promise(const Mesh& before, const Mesh& after, const Function& function, const Hde::Remeshing_result& result)
-{
-  if (!CGAL::is_valid_polygon_mesh(after))
-    return "the mesh is not valid";
-  if (!CGAL::is_triangle_mesh(after))
-    return "not all faces are triangles";
-  const Hde::Topology_measures old_topology = Hde::measure_topology(before), topology = Hde::measure_topology(after);
-  if (topology.number_of_components != old_topology.number_of_components)
-    return "the number of components changed";
-  if (topology.number_of_boundary_loops != old_topology.number_of_boundary_loops)
-    return "the number of boundaries changed";
-  if (topology.euler_characteristic != old_topology.euler_characteristic)
-    return "the Euler characteristic changed";
-  for (const Mesh::Vertex_index v : after.vertices())
-    for (int i = 0; i < 3; ++i)
-      if (!std::isfinite(after.point(v)[i]))
-        return "a coordinate is not finite";
-  const double diagonal = shapes::bounding_box_diagonal(before), unit = std::exp2(std::round(std::log2(diagonal)));
-  if (Hde::measure_shape(in_unit(after, unit)).number_of_degenerate_faces >
-      Hde::measure_shape(in_unit(before, unit)).number_of_degenerate_faces)
-    return "there are new degenerate faces";
-  const std::size_t folds = Hde::measure_embedding(after, function).number_of_folded_faces;
-  if (folds > Hde::measure_embedding(before, function).number_of_folded_faces)
-    return std::to_string(folds) + " faces are folded";
-  std::size_t number_off_surface = 0;
-  for (const Mesh::Vertex_index v : after.vertices())
-    if (!after.is_border(v))
-    {
-      const double slope = std::sqrt(function.gradient(after.point(v)).squared_length());
-      number_off_surface += !(std::abs(function(after.point(v))) <= largest_distance * diagonal * slope);
-    }
-  if (number_off_surface > result.projections.closest_point)
-    return std::to_string(number_off_surface) + " vertices off the surface, " +
-           std::to_string(result.projections.closest_point) + " counted";
-  return "";
+  catch (const std::exception&)
+  {
+  }
+  return std::nullopt;
 }
 
 class Cases
@@ -179,18 +82,18 @@ public:
       refuse("CGAL reads no mesh");
       return m_counts;
     }
-    if (!has_valid_indices(*soup))
+    if (!polygon_soups::has_valid_indices(*soup))
     {
       refuse("faces name vertices that do not exist");
       return m_counts;
     }
-    if (const std::optional<Mesh> mesh = mesh_of(*soup))
+    if (const std::optional<Mesh> mesh = polygon_soups::mesh_of(*soup))
       run(*mesh);
     else
     {
       refuse("no manifold mesh");
-      if (is_finite(*soup))
-        if (const std::optional<Mesh> mended = mesh_of(repaired(*soup)))
+      if (polygon_soups::has_finite_points(*soup))
+        if (const std::optional<Mesh> mended = polygon_soups::mesh_of(polygon_soups::repaired(*soup)))
         {
           m_name += " (repaired)";
           run(*mended);
@@ -212,10 +115,8 @@ private:
     std::cout << "FAILED " << m_name << m_parameters << ": " << what << std::endl;
   }
 
-  void run(Mesh mesh)
+  void run(const Mesh& mesh)
   {
-    PMP::triangulate_faces(mesh);
-    mesh.collect_garbage();
     CGAL::Real_timer timer;
     timer.start();
     std::optional<Function> function;
@@ -231,53 +132,40 @@ private:
     {
       fail(error.what());
     }
-    const double seconds = timer.time();
-    check_time(seconds, double(mesh.number_of_faces()));
-    const double n = double(mesh.number_of_faces()), d = n > 0 ? shapes::bounding_box_diagonal(mesh) : 1;
+    check_time(timer.time(), double(mesh.number_of_faces()));
+    const double n = double(mesh.number_of_faces()), d = n > 0 && promises::has_finite_points(mesh) ? promises::diagonal(mesh) : 1;
     const std::vector<double> sigmas = m_is_quick ? std::vector<double>{0, 0.05} : std::vector<double>{0, 0.01, 0.1, 1, 10};
     const std::vector<double> numbers =
         m_is_quick ? std::vector<double>{n / 2, 2 * n} : std::vector<double>{4, n / 10, n, 4 * n, 20 * n};
     for (const double sigma : sigmas)
+    {
       for (const double number : numbers)
-        if (number > largest_number_of_faces)
-          ++m_counts.left_out;
-        else
-          run(mesh, function, sigma * d, std::size_t(std::ceil(number)));
+        run(mesh, function, sigma * d, number, false);
+      run(mesh, function, sigma * d, n, true);
+    }
     print();
   }
 
-  // one case; without a function the package builds it, or refuses to
-  void run(const Mesh& input, const std::optional<Function>& function, const double sigma, const std::size_t number_of_faces)
+  void run(const Mesh& input, const std::optional<Function>& function, const double sigma, const double number_of_faces,
+           const bool has_self_intersection_tests)
   {
+    if (number_of_faces > largest_number_of_faces)
+    {
+      ++m_counts.left_out;
+      return;
+    }
+    const std::size_t n = (std::max)(std::size_t(std::ceil(number_of_faces)), std::size_t(1));
     std::ostringstream text;
-    text << ", sigma " << sigma << ", " << input.number_of_faces() << " to " << number_of_faces << " faces";
+    text << ", sigma " << sigma << ", " << input.number_of_faces() << " to " << n << " faces"
+         << (has_self_intersection_tests ? ", without new self-intersections" : "");
     m_parameters = text.str();
-    Mesh mesh = input;
-    const auto np = CGAL::parameters::sigma(sigma).number_of_target_faces((std::max)(number_of_faces, std::size_t(1)));
-    CGAL::Real_timer timer;
-    timer.start();
-    try
-    {
-      const Hde::Remeshing_result result = function ? CGAL::anisotropic_hde_remeshing<Tag>(mesh, *function, np)
-                                                    : CGAL::anisotropic_hde_remeshing<Tag>(mesh, np);
-      const double seconds = timer.time();
-      const std::string problem = function ? broken_promise(input, mesh, *function, result) : "not refused";
-      if (!problem.empty())
-        fail(problem);
-      else if (check_time(seconds, double(input.number_of_faces() + mesh.number_of_faces())))
-        ++m_counts.valid;
-    }
-    catch (const std::invalid_argument& error)
-    {
-      if (remeshing_checks::digest(mesh) == remeshing_checks::digest(input))
-        refuse(error.what());
-      else
-        fail(std::string("the mesh was changed before the refusal: ") + error.what());
-    }
-    catch (const std::exception& error)
-    {
-      fail(error.what());
-    }
+    const promises::Outcome outcome = promises::outcome<Tag>(input, function, sigma, n, has_self_intersection_tests);
+    if (outcome.kind == promises::Kind::REFUSED)
+      refuse(outcome.text);
+    else if (outcome.kind == promises::Kind::BROKEN)
+      fail(outcome.text);
+    else if (check_time(outcome.seconds, double(input.number_of_faces() + outcome.number_of_faces)))
+      ++m_counts.valid;
   }
 
   bool check_time(const double seconds, const double number_of_faces)

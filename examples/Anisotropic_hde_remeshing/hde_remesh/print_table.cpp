@@ -95,6 +95,7 @@ private:
     row("aspect ratio, 99th percentile", fixed(before.aspect_ratio_p99, 3), fixed(after.aspect_ratio_p99, 3));
     row("aspect ratio, largest", fixed(before.aspect_ratio_max, 3), fixed(after.aspect_ratio_max, 3));
     row("degenerate faces", text(before.number_of_degenerate_faces), text(after.number_of_degenerate_faces));
+    row("folded edges", text(before.number_of_folded_edges), text(after.number_of_folded_edges));
   }
 
   void print_embedding(const Hde::Embedding_measures& before, const Hde::Embedding_measures& after)
@@ -193,6 +194,9 @@ private:
                << '\n';
     m_stream << "projections: " << result.projections.newton << " by Newton's method, " << result.projections.bisection
              << " by bisection, " << result.projections.closest_point << " by the closest point of the input\n";
+    if (result.number_of_unprojected_vertices > 0)
+      m_stream << result.number_of_unprojected_vertices
+               << " vertices are near the surface only: the last way to it would have folded a face or made it intersect others\n";
     m_stream << "D = " << number(m_report.diagonal, 6) << ", the diagonal of the bounding box\n";
     m_stream << m_report.input << " -> " << m_report.output << '\n';
   }

@@ -41,7 +41,8 @@ Remeshing_result remesh_with_all(Mesh& mesh, const Function_view& function, cons
           .smoothing_ratio(o.smoothing_ratio.value_or(defaults.smoothing_ratio))
           .collapse_ratio(o.collapse_ratio.value_or(defaults.collapse_ratio))
           .split_ratio(o.split_ratio.value_or(defaults.split_ratio))
-          .fit_to_surface(o.fit));
+          .fit_to_surface(o.fit)
+          .do_self_intersection_tests(o.avoid_self_intersections));
 }
 
 template <typename Embedding>

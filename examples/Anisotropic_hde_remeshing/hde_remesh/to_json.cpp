@@ -34,7 +34,8 @@ Json to_json(const Hde::Shape_measures& m)
   return {{"mean", m.aspect_ratio_mean},
           {"p99", m.aspect_ratio_p99},
           {"max", m.aspect_ratio_max}, // null where infinite: JSON has no infinity
-          {"degenerate_faces", m.number_of_degenerate_faces}};
+          {"degenerate_faces", m.number_of_degenerate_faces},
+          {"folded_edges", m.number_of_folded_edges}};
 }
 
 Json to_json(const Hde::Embedding_measures& m, const Hde::Embedding_measures& to_target)
@@ -120,7 +121,8 @@ Json to_json(const Hde::Remeshing_result& result)
           {"flips", result.number_of_flips},
           {"projections_newton", result.projections.newton},
           {"projections_bisection", result.projections.bisection},
-          {"projections_closest_point", result.projections.closest_point}};
+          {"projections_closest_point", result.projections.closest_point},
+          {"unprojected_vertices", result.number_of_unprojected_vertices}};
 }
 
 Json to_json(const Hde::Distance_measures& m)

@@ -32,7 +32,7 @@ struct Topology_measures
   double valence_6_share = 0;                  ///< of the interior vertices, those with 6 edges; 0 if there are none
 };
 
-/// the shapes of the faces of a triangle mesh in space. The aspect ratio of a face is \f$ q_T = R_T / (2 r_T) \f$, the
+/// the shapes of the faces of a triangle mesh in space, and how they lie to each other. The aspect ratio of a face is \f$ q_T = R_T / (2 r_T) \f$, the
 /// circumradius over twice the inradius: 1 for an equilateral triangle, larger for any other.
 struct Shape_measures
 {
@@ -40,6 +40,8 @@ struct Shape_measures
   double aspect_ratio_p99 = 0;                ///< the 99th percentile, infinite if too many faces are degenerate
   double aspect_ratio_max = 0;                ///< \f$ q_\Gamma \f$, infinite if a face is degenerate
   std::size_t number_of_degenerate_faces = 0; ///< those of three collinear points
+  std::size_t number_of_folded_edges = 0; ///< over which two faces turn by more than 143 degrees (a cosine of
+                                          ///< -0.8), of faces that are not needles of no height
 };
 
 /// a triangle mesh in the embedding \f$ \Psi(x) = (x, \sigma n(x)) \f$ in \f$ R^6 \f$, with `n` the unit gradient of an

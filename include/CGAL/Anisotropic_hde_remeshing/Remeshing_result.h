@@ -47,6 +47,9 @@ struct Remeshing_result
   std::size_t number_of_collapses = 0;
   std::size_t number_of_flips = 0;
   std::size_t number_of_isolated_vertices = 0; ///< isolated vertices of the input, which the result does not have
+  /// vertices that are near the surface only, because the last way to it would have folded a face, or let it intersect another
+  /// one if these are tested
+  std::size_t number_of_unprojected_vertices = 0;
   Projection_counters projections;
   bool was_stopped = false;      ///< whether the visitor ended the remeshing early
   double implicit_function_seconds = 0; ///< wall time of `Stage::IMPLICIT_FUNCTION`

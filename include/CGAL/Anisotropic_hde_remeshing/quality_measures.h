@@ -14,6 +14,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/Measures.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/measures/Measured_mesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/evaluation.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/folded_edge.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/named_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
 
@@ -23,6 +24,7 @@
 #include <cstddef>
 #include <limits>
 #include <numeric>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -51,6 +53,29 @@ inline std::size_t number_of_components(const Measured_mesh& mesh)
     parent[(std::max)(a, b)] = (std::min)(a, b);
     --number;
   }
+  return number;
+}
+
+// over which faces lie on each other
+inline std::size_t number_of_folded_edges(const Measured_mesh& mesh)
+{
+  struct Side
+  {
+    std::size_t low, high, face;
+    bool operator<(const Side& other) const { return std::tie(low, high, face) < std::tie(other.low, other.high, other.face); }
+  };
+  std::vector<Side> sides;
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f)
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const std::pair<std::size_t, std::size_t> ends = std::minmax({mesh.faces[f][k], mesh.faces[f][(k + 1) % 3]});
+      sides.push_back(Side{ends.first, ends.second, f});
+    }
+  std::sort(sides.begin(), sides.end());
+  std::size_t number = 0;
+  for (std::size_t i = 1; i < sides.size(); ++i)
+    if (sides[i - 1].low == sides[i].low && sides[i - 1].high == sides[i].high)
+      number += is_folded_edge(mesh.scaled_normal(sides[i - 1].face), mesh.scaled_normal(sides[i].face)) ? 1 : 0;
   return number;
 }
 
@@ -182,7 +207,7 @@ Topology_measures measure_topology(const TriangleMesh& tmesh, const NamedParamet
 }
 
 /*!
-\brief measures the aspect ratios of the faces of a triangle mesh.
+\brief measures the aspect ratios of the faces of a triangle mesh, and counts its folded edges.
 
 \tparam TriangleMesh a model of `VertexListGraph`, `EdgeListGraph`, `HalfedgeListGraph` and `FaceListGraph`
 \tparam NamedParameters a sequence of named parameters
@@ -197,6 +222,7 @@ Shape_measures measure_shape(const TriangleMesh& tmesh, const NamedParameters& n
 {
   const internal::Measured_mesh mesh = internal::read_measured_mesh(tmesh, np);
   Shape_measures measures;
+  measures.number_of_folded_edges = internal::number_of_folded_edges(mesh);
   std::vector<double> ratios(mesh.faces.size(), std::numeric_limits<double>::infinity());
   double sum = 0;
   for (std::size_t f = 0; f < ratios.size(); ++f)

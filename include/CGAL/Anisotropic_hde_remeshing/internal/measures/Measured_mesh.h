@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
+#include <CGAL/Anisotropic_hde_remeshing/internal/folded_edge.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Jet.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/named_parameters.h>
 
@@ -50,6 +51,15 @@ struct Measured_mesh
   {
     const std::array<std::size_t, 3>& v = faces[f];
     return (points[v[1]] - points[v[0]]).cross(points[v[2]] - points[v[0]]);
+  }
+
+  // as `triangle_normal()`, but of another length: it neither overflows nor vanishes, whatever the unit of the mesh
+  Vector scaled_normal(const std::size_t f) const
+  {
+    const std::array<std::size_t, 3>& v = faces[f];
+    const Vector ab = points[v[1]] - points[v[0]], ac = points[v[2]] - points[v[0]];
+    const double scale = (std::max)(ab.lpNorm<Eigen::Infinity>(), ac.lpNorm<Eigen::Infinity>());
+    return scale > 0 ? triangle_normal(ab / scale, ac / scale) : Vector(Vector::Zero());
   }
 
   double diagonal() const // of the bounding box

@@ -16,8 +16,8 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/Duration.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/Vertex_fitter.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Deviation_guard.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Error_target.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Operation_guard.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Target_length.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/remeshing_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/collapse_edges.h>
@@ -41,13 +41,14 @@ namespace Anisotropic_hde_remeshing {
 namespace internal {
 
 // The second of the paper's two steps: makes the mesh uniform and isotropic in the embedding by local operations.
-template <typename ConcurrencyTag, typename Embedding, typename Projection, typename Visitor>
+template <typename ConcurrencyTag, typename Embedding, typename Projection, typename Intersections, typename Visitor>
 class Remesher
 {
   typedef Working_mesh<typename Embedding::Vertex_data> Mesh;
   typedef typename Mesh::Vertex Vertex;
-  typedef Deviation_guard<typename Projection::Function> Guard;
+  typedef Operation_guard<Mesh, typename Projection::Function, Intersections> Guard;
   typedef Error_target<ConcurrencyTag, Mesh, typename Projection::Function> Error_of_mesh;
+  typedef Simultaneous_moves<Mesh> Moves;
 
   // Passes stop when next to nothing is left to do, which these only bound: a split halves an edge, a contraction shortens
   // none.
@@ -79,13 +80,14 @@ class Remesher
 
 public:
   Remesher(Mesh& mesh, const Embedding& embedding, const Projection& projection, const Curve_network& curves,
-           const Remeshing_parameters& parameters, const double diagonal, Visitor& visitor, Interruption& interruption,
-           Remeshing_result& result)
+           Intersections& intersections, const Remeshing_parameters& parameters, const double diagonal, Visitor& visitor,
+           Interruption& interruption, Remeshing_result& result)
     : m_mesh(mesh), m_embedding(embedding), m_projection(projection), m_parameters(parameters), m_diagonal(diagonal),
-      m_visitor(visitor), m_interruption(interruption), m_result(result), m_guard(projection.function(), projection.unit()),
-      m_split(mesh, embedding, projection, curves, interruption),
+      m_visitor(visitor), m_interruption(interruption), m_result(result),
+      m_guard(mesh, projection.function(), projection.unit(), intersections),
+      m_split(mesh, embedding, projection, curves, m_guard, interruption),
       m_collapse(mesh, embedding, m_guard, interruption), m_flip(mesh, embedding, m_guard, interruption),
-      m_smooth(mesh, embedding, projection, curves, interruption)
+      m_smooth(mesh, embedding, projection, curves, m_guard, interruption)
   {
   }
 
@@ -119,17 +121,18 @@ public:
       if (!go_further())
         break;
       if (m_iteration == 0)
-        reorder_in_space<ConcurrencyTag>(m_mesh, m_interruption); // most of the vertices that there will be are there
+        reorder(); // most of the vertices that there will be are there
       update(target);
       if (m_parameters.error > 0)
         approach_error(target);
       report(1);
     }
     m_result.target_edge_length = target.length();
-    project_exactly(all);
-    if (m_interruption.is_requested())
+    project_exactly(all, m_interruption);
+    if (m_interruption.is_requested()) // most of the vertices are exact already, and the caller waits
     {
-      project_the_rest();
+      Interruption never;
+      project_exactly([&](const Vertex_index v) { return !m_projection.is_exact(m_mesh.point(v)); }, never);
       return;
     }
     if (n > 0)
@@ -140,25 +143,45 @@ public:
       refine_to_error();
   }
 
-  // all vertices of the input onto the zero set but those that are fixed or stay on their polylines
-  void project_input() { exact_projections(all).template accept<ConcurrencyTag>(m_mesh); }
+  // All vertices of the input onto the zero set but those that are fixed or stay on their polylines, and those where the mesh
+  // would fold: these have more attempts.
+  void project_input()
+  {
+    Moves moves = exact_projections(all, m_interruption);
+    m_guard.template revert_first<ConcurrencyTag>(moves, m_interruption);
+    moves.template accept<ConcurrencyTag>(m_mesh);
+    for (const Vertex_index v : m_mesh.vertices())
+      if (!moves.is_moved(v))
+      {
+        m_projection.update_normal(m_mesh.point(v));
+        m_embedding.place(m_mesh.point(v));
+        if (!m_mesh.point(v).is_on_curve && !m_mesh.point(v).is_fixed)
+          m_mesh.point(v).set_predicted();
+      }
+  }
 
 private:
   static bool all(Vertex_index) { return true; }
 
-  // the same in the end; a vertex whose last way, from a rough projection to the exact one, would fold a face stays where it is
+  // The same in the end; a vertex whose last way, from a rough projection to the exact one, would fold a face or make it
+  // intersect another one, if that counts, stays where it is.
   template <typename IsChosen>
-  void project_exactly(const IsChosen& is_chosen)
+  void project_exactly(const IsChosen& is_chosen, Interruption& interruption)
   {
-    Simultaneous_moves<Mesh> moves = exact_projections(is_chosen);
-    moves.template revert_folds<ConcurrencyTag>(m_interruption);
+    Moves moves = exact_projections(is_chosen, interruption);
+    m_guard.template revert<ConcurrencyTag>(moves, interruption);
+    if (interruption.is_requested())
+      return; // not all have been projected, or looked at
     moves.template accept<ConcurrencyTag>(m_mesh);
+    for (const Vertex_index v : m_mesh.vertices())
+      if (is_chosen(v) && !moves.is_moved(v) && !m_projection.is_exact(m_mesh.point(v)))
+        ++m_result.number_of_unprojected_vertices;
   }
 
   template <typename IsChosen>
-  Simultaneous_moves<Mesh> exact_projections(const IsChosen& is_chosen) const
+  Moves exact_projections(const IsChosen& is_chosen, Interruption& interruption) const
   {
-    Simultaneous_moves<Mesh> moves(m_mesh);
+    Moves moves(m_mesh);
     moves.template propose<ConcurrencyTag>(
         is_chosen,
         [&](const Vertex_index v, Vertex& state)
@@ -170,8 +193,14 @@ private:
           m_embedding.place(state);
           return true;
         },
-        m_interruption);
+        interruption);
     return moves;
+  }
+
+  void reorder()
+  {
+    reorder_in_space<ConcurrencyTag>(m_mesh, m_interruption);
+    m_guard.template update_all<ConcurrencyTag>(m_interruption);
   }
 
   Error_of_mesh error_of_mesh() const
@@ -231,7 +260,7 @@ private:
       is_old[v] = 1;
     apply_split(edges);
     apply_flip(Flip_criterion::ANGLE);
-    project_exactly([&](const Vertex_index v) { return !is_old[v]; });
+    project_exactly([&](const Vertex_index v) { return !is_old[v]; }, m_interruption);
   }
 
   // of each face the longest in the embedding, the next if it could not be split; each once, in the order of the mesh
@@ -274,7 +303,7 @@ private:
     }
     Vertex_fitter<ConcurrencyTag, typename Projection::Function>(m_projection.function(), m_projection.unit())(
         points, normals, is_free, facets);
-    Simultaneous_moves<Mesh> moves(m_mesh);
+    Moves moves(m_mesh);
     moves.template propose<ConcurrencyTag>([&](const Vertex_index v) { return bool(is_free[v]); },
                                            [&](const Vertex_index v, Vertex& state)
                                            {
@@ -282,16 +311,9 @@ private:
                                              return true;
                                            },
                                            m_interruption);
-    moves.template revert_folds<ConcurrencyTag>(m_interruption);
-    moves.template accept<ConcurrencyTag>(m_mesh);
-  }
-
-  // after an interruption: most of the vertices are exact already, and the caller waits
-  void project_the_rest()
-  {
-    for (const Vertex_index v : m_mesh.vertices())
-      if (!m_projection.is_exact(m_mesh.point(v)))
-        m_projection.project(m_mesh.point(v), 0.5 * mean_edge_length(v));
+    m_guard.template revert<ConcurrencyTag>(moves, m_interruption);
+    if (!m_interruption.is_requested())
+      moves.template accept<ConcurrencyTag>(m_mesh);
   }
 
   // in space; the root mean square
@@ -468,10 +490,10 @@ private:
   Interruption& m_interruption;
   Remeshing_result& m_result;
   Guard m_guard;
-  const Edge_splitter<ConcurrencyTag, Embedding, Projection> m_split;
+  const Edge_splitter<ConcurrencyTag, Embedding, Projection, Guard> m_split;
   const Edge_collapser<ConcurrencyTag, Embedding, Guard> m_collapse;
   const Edge_flipper<ConcurrencyTag, Embedding, Guard> m_flip;
-  Vertex_smoother<ConcurrencyTag, Embedding, Projection> m_smooth;
+  Vertex_smoother<ConcurrencyTag, Embedding, Projection, Guard> m_smooth;
   unsigned int m_iteration = 0;
   double m_length_factor = first_length_factor;
   double m_largest_number_of_faces = 0; // with an error as the target

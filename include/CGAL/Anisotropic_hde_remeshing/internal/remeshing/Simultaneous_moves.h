@@ -12,9 +12,11 @@
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/folded_edge.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Face_guard.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Working_mesh.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -22,12 +24,21 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
+// what counts as a fold
+enum class Fold_test
+{
+  EDGES,            // where the vertices have no normals yet
+  NORMALS_AND_EDGES
+};
+
 // New states of vertices that all move at once, of which those are taken back that would fold faces over: what is done does
 // not depend on the order of the vertices.
 template <typename Mesh>
 class Simultaneous_moves
 {
   typedef typename Mesh::Vertex Vertex;
+
+  static constexpr double flat_cosine = 0.82, flat_cosine_of_normals = 0.5;
 
 public:
   explicit Simultaneous_moves(const Mesh& mesh) : m_mesh(mesh) { clear(); }
@@ -63,33 +74,26 @@ public:
   // Takes back the moves of the vertices of folded faces, and then of those that this has folded, until there are none: each
   // round takes back at least one move. Returns how many moves it took back.
   template <typename ConcurrencyTag>
-  std::size_t revert_folds(Interruption& interruption)
+  std::size_t revert_folds(Interruption& interruption, const Fold_test test = Fold_test::NORMALS_AND_EDGES)
   {
-    std::vector<char> is_folded(face_capacity(m_mesh), 0);
-    parallel_for<ConcurrencyTag>(
-        is_folded.size(),
-        [&](const std::size_t i)
-        {
-          const Face_index f(static_cast<Face_index::size_type>(i));
-          is_folded[i] = !m_mesh.is_removed(f) && folds(f);
-        },
-        256, interruption);
-    std::vector<Face_index> folded;
-    for (std::size_t i = 0; i < is_folded.size(); ++i)
-      if (is_folded[i])
-        folded.push_back(Face_index(static_cast<Face_index::size_type>(i)));
-    std::size_t number_of_reverted = 0;
-    while (!folded.empty())
+    return revert(folded_faces<ConcurrencyTag>(interruption, test), test).size();
+  }
+
+  // Takes back the moves of the vertices of these faces, and then of those that this has folded. Returns all these vertices.
+  std::vector<Vertex_index> revert(std::vector<Face_index> faces, const Fold_test test = Fold_test::NORMALS_AND_EDGES)
+  {
+    std::vector<Vertex_index> result;
+    while (!faces.empty())
     {
-      const std::vector<Vertex_index> reverted = revert(folded);
-      number_of_reverted += reverted.size();
-      folded.clear();
+      const std::vector<Vertex_index> reverted = revert_vertices(faces);
+      result.insert(result.end(), reverted.begin(), reverted.end());
+      faces.clear();
       for (const Vertex_index v : reverted)
         for (const Halfedge_index h : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
-          if (!m_mesh.is_border(h) && folds(m_mesh.face(h)))
-            folded.push_back(m_mesh.face(h));
+          if (!m_mesh.is_border(h))
+            add_if_folded(h, test, faces);
     }
-    return number_of_reverted;
+    return result;
   }
 
   // changes the mesh
@@ -105,22 +109,92 @@ public:
   }
 
 private:
-  // whether the moves fold the face
-  bool folds(const Face_index f) const
+  template <typename ConcurrencyTag>
+  std::vector<Face_index> folded_faces(Interruption& interruption, const Fold_test test) const
   {
-    const Triangle t(m_mesh.halfedge(f), m_mesh);
-    if (!m_is_moved[t.a] && !m_is_moved[t.b] && !m_is_moved[t.c])
-      return false;
-    const double after = Face_guard::quality(state(t.a), state(t.b), state(t.c));
-    return after < Face_guard::smallest_cosine &&
-           !Face_guard::accepts(after, Face_guard::quality(m_mesh.point(t.a), m_mesh.point(t.b), m_mesh.point(t.c)));
+    std::vector<char> is_folded(face_capacity(m_mesh), 0), is_flat(face_capacity(m_mesh), 0);
+    const auto for_each_face = [&](const auto& visit)
+    {
+      parallel_for<ConcurrencyTag>(
+          is_folded.size(),
+          [&](const std::size_t i)
+          {
+            const Face_index f(static_cast<Face_index::size_type>(i));
+            if (!m_mesh.is_removed(f))
+              visit(f);
+          },
+          256, interruption);
+    };
+    if (test == Fold_test::NORMALS_AND_EDGES)
+      for_each_face([&](const Face_index f) { is_folded[f] = folds_over_normals(f, is_flat[f]); });
+    for_each_face(
+        [&](const Face_index f)
+        {
+          for (const Halfedge_index h : m_mesh.halfedges_around_face(m_mesh.halfedge(f)))
+          {
+            const Face_index g = m_mesh.face(m_mesh.opposite(h));
+            if (g.is_valid() && !(is_flat[f] && is_flat[g]) && folds_over_edge(h))
+              is_folded[f] = 1;
+          }
+        });
+    std::vector<Face_index> result;
+    for (std::size_t i = 0; i < is_folded.size(); ++i)
+      if (is_folded[i])
+        result.push_back(Face_index(static_cast<Face_index::size_type>(i)));
+    return result;
   }
 
-  // the vertices whose moves it takes back
-  std::vector<Vertex_index> revert(const std::vector<Face_index>& folded)
+  // the face of h, and those beyond its edges, where they are folded
+  void add_if_folded(const Halfedge_index h, const Fold_test test, std::vector<Face_index>& faces) const
+  {
+    char is_flat = 0;
+    bool is_folded = test == Fold_test::NORMALS_AND_EDGES && folds_over_normals(m_mesh.face(h), is_flat);
+    for (const Halfedge_index side : m_mesh.halfedges_around_face(h))
+    {
+      const Halfedge_index beyond = m_mesh.opposite(side);
+      if (m_mesh.is_border(beyond) || !folds_over_edge(side))
+        continue;
+      is_folded = true;
+      faces.push_back(m_mesh.face(beyond));
+    }
+    if (is_folded)
+      faces.push_back(m_mesh.face(h));
+  }
+
+  // Whether the moves fold the face over the normals of its vertices. It is flat if it could not even fold over an edge with
+  // another flat one: with three normals within 60 degrees, their sum is within 35.3 degrees of that of two of them, and the face
+  // within 34.9 degrees of it. On both sides of an edge that is less than 141 degrees.
+  bool folds_over_normals(const Face_index f, char& is_flat) const
+  {
+    const Triangle t(m_mesh.halfedge(f), m_mesh);
+    const Vertex &a = state(t.a), &b = state(t.b), &c = state(t.c);
+    const double after = Face_guard::quality(a, b, c);
+    is_flat = after > flat_cosine &&
+              (std::min)({a.normal.dot(b.normal), b.normal.dot(c.normal), c.normal.dot(a.normal)}) > flat_cosine_of_normals;
+    if (after >= Face_guard::smallest_cosine || (!m_is_moved[t.a] && !m_is_moved[t.b] && !m_is_moved[t.c]))
+      return false;
+    return !Face_guard::accepts(after, Face_guard::quality(m_mesh.point(t.a), m_mesh.point(t.b), m_mesh.point(t.c)));
+  }
+
+  // whether the moves fold the edge of h, which is not on the border
+  bool folds_over_edge(const Halfedge_index h) const
+  {
+    const Halfedge_index g = m_mesh.opposite(h);
+    return is_folded_edge(moved_normal(h), moved_normal(g)) &&
+           !is_folded_edge(face_normal(h, m_mesh), face_normal(g, m_mesh));
+  }
+
+  Vector moved_normal(const Halfedge_index h) const
+  {
+    const Triangle t(h, m_mesh);
+    return face_normal(state(t.a), state(t.b), state(t.c));
+  }
+
+  // those that had moved
+  std::vector<Vertex_index> revert_vertices(const std::vector<Face_index>& faces)
   {
     std::vector<Vertex_index> result;
-    for (const Face_index f : folded)
+    for (const Face_index f : faces)
     {
       const Triangle t(m_mesh.halfedge(f), m_mesh);
       for (const Vertex_index v : {t.a, t.b, t.c})

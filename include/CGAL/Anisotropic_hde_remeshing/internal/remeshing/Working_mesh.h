@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
+#include <CGAL/Anisotropic_hde_remeshing/internal/folded_edge.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Jet.h>
 
 #include <CGAL/Surface_mesh.h>
@@ -152,6 +153,19 @@ struct Triangle
   {
   }
 };
+
+// as `triangle_normal()`
+inline Vector face_normal(const Vertex_state& a, const Vertex_state& b, const Vertex_state& c)
+{
+  return triangle_normal(b.point - a.point, c.point - a.point);
+}
+
+template <typename Mesh>
+Vector face_normal(const Halfedge_index h, const Mesh& mesh)
+{
+  const Triangle t(h, mesh);
+  return face_normal(mesh.point(t.a), mesh.point(t.b), mesh.point(t.c));
+}
 
 } // namespace internal
 } // namespace Anisotropic_hde_remeshing

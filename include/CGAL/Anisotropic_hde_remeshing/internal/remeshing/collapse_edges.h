@@ -15,6 +15,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Curve_network.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Face_guard.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Local_change.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Working_mesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/sorted_edges.h>
 
@@ -36,6 +37,7 @@ class Edge_collapser
 {
   typedef Working_mesh<typename Embedding::Vertex_data> Mesh;
   typedef typename Mesh::Vertex Vertex;
+  typedef Local_change<Mesh> Change;
 
   // of the part of a curve that an edge stands for; it is .83 for a third of a circle
   static constexpr double smallest_chord = 0.85;
@@ -118,11 +120,8 @@ private:
     const bool is_to_target = to_target <= to_source;
     const Halfedge_index best = is_to_target ? h : g, other = is_to_target ? g : h;
     Vertex_index kept;
-    if (accepts_faces(best))
-      kept = contract(best);
-    else if ((std::max)(to_target, to_source) < (std::numeric_limits<double>::max)() && accepts_faces(other))
-      kept = contract(other);
-    else
+    if (!contract_if_accepted(best, kept) &&
+        !((std::max)(to_target, to_source) < (std::numeric_limits<double>::max)() && contract_if_accepted(other, kept)))
       return false;
     is_touched[kept] = 1;
     for (const Halfedge_index in : m_mesh.halfedges_around_target(m_mesh.halfedge(kept)))
@@ -130,25 +129,35 @@ private:
     return true;
   }
 
-  // whether the guard accepts all faces that contracting h to its target makes
-  bool accepts_faces(const Halfedge_index h) const
+  bool contract_if_accepted(const Halfedge_index h, Vertex_index& kept) const
   {
-    if (!m_guard.is_active())
-      return true;
-    const Vertex_index kept = m_mesh.target(h);
+    const Change change = contraction(h);
+    if (!m_guard.accepts(change) || !m_guard.accepts_distance(change))
+      return false;
+    kept = contract(h);
+    m_guard.update(change);
+    return true;
+  }
+
+  // what contracting h to its target changes
+  Change contraction(const Halfedge_index h) const
+  {
+    Change change(m_mesh);
+    const auto kept = change.corner(m_mesh.target(h));
     for (const Halfedge_index in : m_mesh.halfedges_around_target(m_mesh.opposite(h)))
     {
       if (m_mesh.is_border(in))
         continue;
+      change.remove(m_mesh.face(in));
       const Triangle t(in, m_mesh);
-      if (t.a != kept && t.c != kept && !m_guard.accepts(m_mesh.point(t.a), m_mesh.point(kept), m_mesh.point(t.c)))
-        return false;
+      if (t.a != kept.vertex && t.c != kept.vertex)
+        change.add(change.corner(t.a), kept, change.corner(t.c));
     }
-    return true;
+    return change;
   }
 
-  // Removes the source of h and returns the vertex that stays; whichever edges the mesh drops, those that stay have the arcs of the edges at the target, or
-  // along a curve those of the path that they replace
+  // Removes the source of h and returns the vertex that stays; whichever edges the mesh drops, those that stay have the arcs of
+  // the edges at the target, or along a curve those of the path that they replace
   Vertex_index contract(const Halfedge_index h) const
   {
     const Vertex kept = m_mesh.point(m_mesh.target(h));

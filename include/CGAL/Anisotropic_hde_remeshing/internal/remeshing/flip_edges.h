@@ -14,6 +14,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/Interruption.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Face_guard.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Local_change.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Working_mesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/embedded_triangle.h>
 
@@ -38,6 +39,7 @@ class Edge_flipper
 {
   typedef Working_mesh<typename Embedding::Vertex_data> Mesh;
   typedef typename Mesh::Vertex Vertex;
+  typedef Local_change<Mesh> Change;
 
   static constexpr int maximum_number_of_passes = 10;
   // the gain in the cosine below which a flip is not worth it; it also ends the passes in the case of ties
@@ -134,7 +136,8 @@ private:
       if (m_interruption.poll())
         break;
       const Quad q = quad(e);
-      const bool is_changed = is_touched[q.a] || is_touched[q.b] || is_touched[q.c] || is_touched[q.d];
+      const bool is_changed =
+          is_touched[q.a] || is_touched[q.b] || is_touched[q.c] || is_touched[q.d] || !m_guard.is_local();
       if (is_changed && !gains(e, criterion, valences))
         continue;
       flip(e, q, valences);
@@ -171,7 +174,7 @@ private:
     if (m_mesh.is_on_curve(e))
       return false;
     const Quad q = quad(e);
-    return (criterion == Flip_criterion::VALENCE ? gains_valence(q, valences) : gains_angle(q)) && is_allowed(q);
+    return (criterion == Flip_criterion::VALENCE ? gains_valence(q, valences) : gains_angle(q)) && is_allowed(e, q);
   }
 
   bool gains_valence(const Quad& q, const std::vector<int>& valences) const
@@ -206,6 +209,7 @@ private:
       ++valences[q.d];
     }
     CGAL::Euler::flip_edge(m_mesh.halfedge(e), m_mesh.graph());
+    m_guard.update_at(m_mesh.halfedge(e));
   }
 
   // the cosines of the smallest angles in the embedding of the two faces, now and after a flip
@@ -220,7 +224,7 @@ private:
   }
 
   // guards 1, 3 and 5
-  bool is_allowed(const Quad& q) const
+  bool is_allowed(const Edge_index e, const Quad& q) const
   {
     const Vertex &a = m_mesh.point(q.a), &b = m_mesh.point(q.b), &c = m_mesh.point(q.c), &d = m_mesh.point(q.d);
     const double after = (std::min)(Face_guard::quality(c, a, d), Face_guard::quality(d, b, c));
@@ -228,7 +232,21 @@ private:
         !Face_guard::accepts(after, (std::min)(Face_guard::quality(a, b, c), Face_guard::quality(b, a, d))))
       return false;
     return q.c != q.d && !m_mesh.halfedge(q.c, q.d).is_valid() && m_mesh.degree(q.a) > 3 && m_mesh.degree(q.b) > 3 &&
-           m_guard.accepts(c, a, d) && m_guard.accepts(d, b, c);
+           is_accepted(exchange(e, q));
+  }
+
+  bool is_accepted(const Change& change) const { return m_guard.accepts(change) && m_guard.accepts_distance(change); }
+
+  // what a flip changes
+  Change exchange(const Edge_index e, const Quad& q) const
+  {
+    Change change(m_mesh);
+    for (const Halfedge_index h : {m_mesh.halfedge(e), m_mesh.opposite(m_mesh.halfedge(e))})
+      change.remove(m_mesh.face(h));
+    const auto a = change.corner(q.a), b = change.corner(q.b), c = change.corner(q.c), d = change.corner(q.d);
+    change.add(c, a, d);
+    change.add(d, b, c);
+    return change;
   }
 
   Mesh& m_mesh;

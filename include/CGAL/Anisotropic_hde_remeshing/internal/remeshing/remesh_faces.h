@@ -19,9 +19,11 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Curve_network.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Input_surface.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Mesh_intersections.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Remesher.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Surface_projection.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/load_mesh.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/load_obstacles.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/remeshing_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/store_mesh.h>
 
@@ -51,13 +53,14 @@ double orientation(const Mesh& mesh)
 }
 
 // the second step, on the copy of the mesh; `diagonal` in the unit of the caller, `unit` that of the copy
-template <typename ConcurrencyTag, typename Embedding, typename Function, typename Visitor, typename NamedParameters>
+template <typename ConcurrencyTag, typename Embedding, typename Function, typename Intersections, typename Visitor,
+          typename NamedParameters>
 void remesh(Working_mesh<typename Embedding::Vertex_data>& mesh, const Embedding& embedding, const Function& function,
-            const Input_surface& input, const double diagonal, const double unit, Visitor& visitor,
-            Interruption& interruption, const NamedParameters& np, Remeshing_result& result)
+            const Input_surface& input, Intersections& intersections, const double diagonal, const double unit,
+            Visitor& visitor, Interruption& interruption, const NamedParameters& np, Remeshing_result& result)
 {
   typedef Surface_projection<Function> Projection;
-  typedef Remesher<ConcurrencyTag, Embedding, Projection, Visitor> Remesher;
+  typedef Remesher<ConcurrencyTag, Embedding, Projection, Intersections, Visitor> Remesher;
   static constexpr double exact_distance = 1e-9; // of the diagonal; one more step of Newton squares it
 
   Real_timer timer;
@@ -69,7 +72,8 @@ void remesh(Working_mesh<typename Embedding::Vertex_data>& mesh, const Embedding
     reorder_in_space<ConcurrencyTag>(mesh, interruption);
   const Curve_network curves(mesh);
   Projection projection(function, input, exact_distance * diagonal / unit, unit);
-  Remesher remesher(mesh, embedding, projection, curves, parameters, diagonal / unit, visitor, interruption, result);
+  Remesher remesher(mesh, embedding, projection, curves, intersections, parameters, diagonal / unit, visitor, interruption,
+                    result);
   remesher.project_input();
   if (orientation(mesh) < 0)
   {
@@ -98,6 +102,20 @@ void remesh(Working_mesh<typename Embedding::Vertex_data>& mesh, const Embedding
   result.approximation_error *= unit;
   result.projections = projection.counters();
   result.remeshing_seconds = timer.time();
+}
+
+// where they are asked for
+template <typename NamedParameters, typename Mesh, typename TriangleMesh, typename VertexPointMap>
+auto intersections_parameter(const NamedParameters& np, const Mesh& mesh, const TriangleMesh& tmesh, const VertexPointMap vpm,
+                             const Mesh_origin<TriangleMesh>& origin, const bool is_whole_mesh)
+{
+  if constexpr (is_given<NamedParameters, internal_np::do_self_intersection_tests_t>)
+  {
+    const bool is_active = parameters::get_parameter(np, internal_np::do_self_intersection_tests);
+    return Mesh_intersections<Mesh>(mesh, is_active && !is_whole_mesh ? load_obstacles(tmesh, vpm, origin) : Obstacles(), is_active);
+  }
+  else
+    return No_intersections();
 }
 
 // by the vertices of the working mesh; all on the first facet if none of them has a closest point
@@ -159,8 +177,9 @@ Remeshing_result remesh_faces(const FaceRange& faces, TriangleMesh& tmesh, const
   const Embedding embedding = embedding_parameter(np, origin.diagonal);
   if constexpr (std::is_same<Embedding, Normal_embedding>::value)
     result.sigma = embedding.sigma();
-  remesh<ConcurrencyTag>(mesh, embedding.in_unit(origin.unit), function, input, origin.diagonal, origin.unit, visitor,
-                         interruption, np, result);
+  auto intersections = intersections_parameter(np, mesh, tmesh, vpm, origin, is_whole_mesh);
+  remesh<ConcurrencyTag>(mesh, embedding.in_unit(origin.unit), function, input, intersections, origin.diagonal, origin.unit,
+                         visitor, interruption, np, result);
   result.was_stopped = interruption.is_requested();
   if (result.was_stopped && result.number_of_iterations == 0)
     return result; // not all vertices may be on the surface yet

@@ -39,8 +39,8 @@ enum class Smoothing_step
 };
 
 // Moves every vertex towards the centroid of its surroundings in the embedding, weighted by the areas of its faces there,
-// all at once, so that the result does not depend on the order; then takes back what has folded a face.
-template <typename ConcurrencyTag, typename Embedding, typename Projection>
+// all at once, so that the result does not depend on the order; then takes back what the guard refuses.
+template <typename ConcurrencyTag, typename Embedding, typename Projection, typename Guard>
 class Vertex_smoother
 {
   typedef Working_mesh<typename Embedding::Vertex_data> Mesh;
@@ -56,9 +56,9 @@ class Vertex_smoother
 
 public:
   Vertex_smoother(Mesh& mesh, const Embedding& embedding, const Projection& projection,
-                  const Curve_network& curves, Interruption& interruption)
-    : m_mesh(mesh), m_embedding(embedding), m_projection(projection), m_curves(curves), m_interruption(interruption),
-      m_moves(mesh)
+                  const Curve_network& curves, const Guard& guard, Interruption& interruption)
+    : m_mesh(mesh), m_embedding(embedding), m_projection(projection), m_curves(curves), m_guard(guard),
+      m_interruption(interruption), m_moves(mesh)
   {
   }
 
@@ -75,7 +75,7 @@ public:
         [&](const Vertex_index v, Vertex& state)
         { return state.is_on_curve ? slide(v, state, shifts[v]) : move(v, state, kind); },
         m_interruption);
-    m_moves.template revert_folds<ConcurrencyTag>(m_interruption);
+    m_guard.template revert<ConcurrencyTag>(m_moves, m_interruption);
     if (m_interruption.ask())
       return; // not all have been moved, or looked at
     m_moves.template accept<ConcurrencyTag>(m_mesh);
@@ -245,6 +245,7 @@ private:
   const Embedding& m_embedding;
   const Projection& m_projection;
   const Curve_network& m_curves;
+  const Guard& m_guard;
   Interruption& m_interruption;
   Simultaneous_moves<Mesh> m_moves;
 };

@@ -14,6 +14,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Curve_network.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Face_guard.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Local_change.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Surface_projection.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Working_mesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/sorted_edges.h>
@@ -29,19 +30,21 @@ namespace internal {
 
 // Splits edges at their middle, put on the surface. The ends of an edge do not change while others are split, so that all
 // middles of a pass are projected in parallel first; the splits are done in the order of the lengths.
-template <typename ConcurrencyTag, typename Embedding, typename Projection>
+template <typename ConcurrencyTag, typename Embedding, typename Projection, typename Guard>
 class Edge_splitter
 {
   typedef Working_mesh<typename Embedding::Vertex_data> Mesh;
   typedef typename Mesh::Vertex Vertex;
+  typedef Local_change<Mesh> Change;
 
   // guard 4: both halves are shorter than this share of the edge
   static constexpr double largest_half = 0.98;
 
 public:
   Edge_splitter(Mesh& mesh, const Embedding& embedding, const Projection& projection,
-                const Curve_network& curves, Interruption& interruption)
-    : m_mesh(mesh), m_embedding(embedding), m_projection(projection), m_curves(curves), m_interruption(interruption)
+                const Curve_network& curves, const Guard& guard, Interruption& interruption)
+    : m_mesh(mesh), m_embedding(embedding), m_projection(projection), m_curves(curves), m_guard(guard),
+      m_interruption(interruption)
   {
   }
 
@@ -150,7 +153,8 @@ private:
   bool is_allowed(const Candidate& candidate) const
   {
     const Halfedge_index h = m_mesh.halfedge(candidate.edge);
-    return is_allowed(h, candidate.middle) && is_allowed(m_mesh.opposite(h), candidate.middle);
+    return is_allowed(h, candidate.middle) && is_allowed(m_mesh.opposite(h), candidate.middle) &&
+           m_guard.accepts(subdivision(h, candidate.middle));
   }
 
   bool is_allowed(const Halfedge_index h, const Vertex& middle) const
@@ -162,6 +166,23 @@ private:
     const double before = Face_guard::quality(a, b, c);
     return Face_guard::accepts(Face_guard::quality(a, middle, c), before) &&
            Face_guard::accepts(Face_guard::quality(middle, b, c), before);
+  }
+
+  // what splitting h changes
+  Change subdivision(const Halfedge_index h, const Vertex& middle) const
+  {
+    Change change(m_mesh);
+    const typename Change::Corner m{Mesh::null_vertex(), &middle};
+    for (const Halfedge_index side : {h, m_mesh.opposite(h)})
+    {
+      if (m_mesh.is_border(side))
+        continue;
+      change.remove(m_mesh.face(side));
+      const Triangle t(side, m_mesh);
+      change.add(change.corner(t.a), m, change.corner(t.c));
+      change.add(m, change.corner(t.b), change.corner(t.c));
+    }
+    return change;
   }
 
   void split(const Candidate& candidate) const
@@ -178,6 +199,7 @@ private:
     const Halfedge_index back = m_mesh.opposite(from);
     if (!m_mesh.is_border(back))
       split_face(m_mesh.prev(back), m_mesh.next(back));
+    m_guard.update_around(m_mesh.target(from));
   }
 
   void split_face(const Halfedge_index g, const Halfedge_index h) const
@@ -192,6 +214,7 @@ private:
   const Embedding& m_embedding;
   const Projection& m_projection;
   const Curve_network& m_curves;
+  const Guard& m_guard;
   Interruption& m_interruption;
 };
 

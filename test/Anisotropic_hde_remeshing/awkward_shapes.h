@@ -8,8 +8,8 @@
 
 // Triangle soups that no surface reconstruction would make, but users have.
 
-#ifndef CGAL_ANISOTROPIC_HDE_REMESHING_BENCHMARK_AWKWARD_SHAPES_H
-#define CGAL_ANISOTROPIC_HDE_REMESHING_BENCHMARK_AWKWARD_SHAPES_H
+#ifndef CGAL_ANISOTROPIC_HDE_REMESHING_TEST_AWKWARD_SHAPES_H
+#define CGAL_ANISOTROPIC_HDE_REMESHING_TEST_AWKWARD_SHAPES_H
 
 #include "shapes.h"
 
@@ -250,4 +250,4 @@ inline std::map<std::string, std::function<Soup()>> all()
 
 } // namespace awkward_shapes
 
-#endif // CGAL_ANISOTROPIC_HDE_REMESHING_BENCHMARK_AWKWARD_SHAPES_H
+#endif // CGAL_ANISOTROPIC_HDE_REMESHING_TEST_AWKWARD_SHAPES_H

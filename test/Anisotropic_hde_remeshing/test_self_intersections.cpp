@@ -1,0 +1,184 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+// Whether triangles intersect, against CGAL; that no operation lets faces intersect where that is asked for, nor folds an edge.
+
+#include "awkward_shapes.h"
+#include "check.h"
+#include "promises.h"
+
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Intersection_guard.h>
+#include <CGAL/Rbf_implicit_function.h>
+#include <CGAL/anisotropic_hde_remeshing.h>
+
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+
+#include <array>
+#include <cstddef>
+#include <iostream>
+#include <random>
+#include <vector>
+
+namespace Hde = CGAL::Anisotropic_hde_remeshing;
+using Hde::internal::Indexed_triangle;
+using Hde::internal::Vector;
+using shapes::Mesh;
+using shapes::Point_3;
+using shapes::Vector_3;
+typedef CGAL::Rbf_implicit_function<shapes::Kernel> Function;
+
+Indexed_triangle triangle(const std::vector<Point_3>& points, const std::array<std::size_t, 3>& vertices)
+{
+  Indexed_triangle result;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const Point_3& p = points[vertices[k]];
+    result.vertices[k] = vertices[k];
+    result.points[k] = Vector(p.x(), p.y(), p.z());
+  }
+  return result;
+}
+
+// Two triangles with so many vertices in common, of points with few different coordinates: many lie in a plane or on a line. If
+// they share an edge, they are oriented alike.
+void test_pairs(const std::size_t number_of_shared, const int number_of_coordinates, const double unit)
+{
+  std::mt19937 random(1);
+  const auto coordinate = [&] { return unit * (double(random() % unsigned(number_of_coordinates)) + 0.1); };
+  int number_of_intersecting = 0, number_of_pairs = 0;
+  while (number_of_pairs < 20000)
+  {
+    std::vector<Point_3> points;
+    for (std::size_t i = 0; i < 6 - number_of_shared; ++i)
+    {
+      const double x = coordinate(), y = coordinate(), z = coordinate();
+      points.emplace_back(x, y, z);
+    }
+    const std::array<std::size_t, 3> s = {0, 1, 2};
+    const std::array<std::size_t, 3> t = number_of_shared == 0   ? std::array<std::size_t, 3>{3, 4, 5}
+                                         : number_of_shared == 1 ? std::array<std::size_t, 3>{3, 1, 4}
+                                                                 : std::array<std::size_t, 3>{3, 1, 0};
+    if (CGAL::collinear(points[s[0]], points[s[1]], points[s[2]]) || CGAL::collinear(points[t[0]], points[t[1]], points[t[2]]))
+      continue;
+    Mesh mesh;
+    for (const Point_3& p : points)
+      mesh.add_vertex(p);
+    for (const auto& f : {s, t})
+      mesh.add_face(Mesh::Vertex_index(unsigned(f[0])), Mesh::Vertex_index(unsigned(f[1])), Mesh::Vertex_index(unsigned(f[2])));
+    const bool expected = CGAL::Polygon_mesh_processing::does_self_intersect(mesh);
+    CHECK(do_triangles_intersect(triangle(points, s), triangle(points, t)) == expected);
+    CHECK(do_triangles_intersect(triangle(points, t), triangle(points, s)) == expected);
+    number_of_intersecting += expected ? 1 : 0;
+    ++number_of_pairs;
+  }
+  std::cout << number_of_shared << " shared vertices: " << number_of_intersecting << " of " << number_of_pairs
+            << " pairs intersect" << std::endl;
+  if (number_of_coordinates < 10)
+    CHECK(number_of_intersecting > 100 && number_of_intersecting < number_of_pairs - 100);
+}
+
+void test_guard()
+{
+  // a floor and a tent over it
+  const std::vector<Point_3> points = {{-9, -9, 0}, {9, -9, 0}, {0, 9, 0}, {-1, 0, 1}, {1, 0, 1}, {0, 1, 2}, {0, 0, -1}, {0, -1, 1}};
+  const Indexed_triangle floor = triangle(points, {0, 1, 2}), above = triangle(points, {3, 4, 5}), through = triangle(points, {3, 4, 6}),
+                         beside = triangle(points, {3, 7, 4});
+  Hde::internal::Intersection_guard guard;
+  guard.assign({floor, above}, {1, 1});
+  const std::vector<std::size_t> only_above = {1};
+  CHECK(guard.accepts(only_above, std::vector<Indexed_triangle>{beside}));
+  CHECK(!guard.accepts(only_above, std::vector<Indexed_triangle>{beside, through}));
+  guard.replace(1, through);
+  CHECK(guard.accepts(only_above, std::vector<Indexed_triangle>{beside, through})); // it has intersected the floor before
+  CHECK(guard.intersecting(1, [](std::size_t) { return true; }) == std::vector<std::size_t>{0});
+  guard.replace(5, above);
+  CHECK(guard.intersecting(5, [](std::size_t) { return true; }).empty());
+  guard.remove(0);
+  CHECK(guard.intersecting(1, [](std::size_t) { return true; }).empty());
+  CHECK(guard.accepts(std::vector<std::size_t>{5}, std::vector<Indexed_triangle>{floor}) == false);
+  CHECK(guard.accepts(only_above, std::vector<Indexed_triangle>{floor}));
+}
+
+// sheets that are closer than the faces are long: faces intersect if that is not tested, and fold if that were not refused
+void test_sheets()
+{
+  std::size_t number_without_tests = 0;
+  for (const shapes::Soup& soup : {awkward_shapes::shell(1e-2), awkward_shapes::plate(12, 1e-3), awkward_shapes::spheres(1e-7)})
+  {
+    const Mesh input = shapes::to_mesh<Mesh>(soup);
+    CHECK(promises::number_of_self_intersections(input) == 0);
+    const Function function(input);
+    for (const double factor : {0.3, 1., 3.})
+    {
+      const auto np = CGAL::parameters::relative_sigma(0.02).number_of_target_faces(
+          std::size_t(factor * double(input.number_of_faces())));
+      Mesh mesh = input, tested = input, again = input;
+      CGAL::anisotropic_hde_remeshing<CGAL::Parallel_if_available_tag>(mesh, function, np);
+      CGAL::anisotropic_hde_remeshing<CGAL::Parallel_if_available_tag>(tested, function, np.do_self_intersection_tests(true));
+      CGAL::anisotropic_hde_remeshing<CGAL::Sequential_tag>(again, function, np.do_self_intersection_tests(true));
+      const std::size_t number = promises::number_of_self_intersections(mesh);
+      number_without_tests += number;
+      std::cout << input.number_of_faces() << " to " << mesh.number_of_faces() << " faces: " << number
+                << " pairs intersect, with tests " << promises::number_of_self_intersections(tested) << std::endl;
+      CHECK(promises::number_of_self_intersections(tested) == 0);
+      CHECK(Hde::measure_shape(mesh).number_of_folded_edges == 0);
+      CHECK(Hde::measure_shape(tested).number_of_folded_edges == 0);
+      CHECK(tested.number_of_faces() > input.number_of_faces() / 5);
+      CHECK(remeshing_checks::digest(tested) == remeshing_checks::digest(again));
+    }
+  }
+  CHECK(number_without_tests > 0); // or the tests have shown nothing
+}
+
+// without an explicit `false` the tests cost nothing, with it nothing changes
+void test_off()
+{
+  const Mesh input = shapes::ellipsoid(3);
+  Mesh mesh = input, off = input;
+  CGAL::anisotropic_hde_remeshing(mesh, shapes::Ellipsoid_function());
+  CGAL::anisotropic_hde_remeshing(off, shapes::Ellipsoid_function(), CGAL::parameters::do_self_intersection_tests(false));
+  CHECK(remeshing_checks::digest(mesh) == remeshing_checks::digest(off));
+}
+
+// faces that are not remeshed are in the way: those of another sphere, which the surface, a larger sphere, crosses
+void test_obstacles()
+{
+  const Mesh input = shapes::to_mesh<Mesh>(awkward_shapes::spheres(0.03));
+  shapes::Sphere_function larger_sphere;
+  larger_sphere.radius = 1.06;
+  std::vector<Mesh::Face_index> first, second;
+  for (const Mesh::Face_index f : input.faces())
+    (input.point(input.target(input.halfedge(f))).x() < 1.02 ? first : second).push_back(f);
+  for (const bool has_tests : {false, true})
+  {
+    Mesh mesh = input;
+    const Hde::Remeshing_result result = CGAL::anisotropic_hde_remeshing<CGAL::Parallel_if_available_tag>(
+        first, mesh, larger_sphere, CGAL::parameters::do_self_intersection_tests(has_tests));
+    const std::size_t number = promises::number_of_self_intersections(mesh);
+    std::cout << "spheres that would cross, " << (has_tests ? "tested: " : "") << number << " pairs intersect, "
+              << result.number_of_unprojected_vertices << " vertices stay off the surface" << std::endl;
+    CHECK((number == 0) == has_tests);
+    CHECK((result.number_of_unprojected_vertices > 0) == has_tests);
+    for (const Mesh::Face_index f : second)
+      CHECK(!mesh.is_removed(f));
+  }
+}
+
+int main()
+{
+  for (const std::size_t number_of_shared : {0, 1, 2})
+  {
+    test_pairs(number_of_shared, 4, 1);
+    test_pairs(number_of_shared, 1000, 0.37);
+  }
+  test_guard();
+  test_sheets();
+  test_off();
+  test_obstacles();
+  return check_summary();
+}
