@@ -7,8 +7,10 @@
 #
 # Author(s)     : The Anisotropic_hde_remeshing developers
 
-# Installs what is missing (packages of Debian), builds everything and runs all tests. Usage: scripts/run_tests.sh
-# BUILD_DIR (default build/tests) and JOBS (default 2) may be set in the environment.
+# Installs what is missing (packages of Debian), builds everything and runs all tests, those under sanitizers, libFuzzer and
+# valgrind last. Usage: scripts/run_tests.sh
+# BUILD_DIR (default build/tests), JOBS (default 2), INSTRUMENTED=OFF, which leaves these out, and FUZZING_SECONDS (default 60),
+# the time for each fuzzer, may be set in the environment.
 
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -17,11 +19,18 @@ source scripts/common.sh
 build_dir=${BUILD_DIR:-build/tests}
 jobs=${JOBS:-2}
 
+instrumented=${INSTRUMENTED:-ON}
+
 install_packages
+[[ $instrumented == OFF ]] || install_missing clang valgrind
 unpack_cgal_data "$build_dir"
-cmake -Wno-dev -S . -B "$build_dir" -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=ON
+cmake -Wno-dev -S . -B "$build_dir" -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=ON \
+  -DCGAL_AHR_WITH_INSTRUMENTED_TESTS="$instrumented" -DCGAL_AHR_FUZZING_SECONDS="${FUZZING_SECONDS:-60}"
 SECONDS=0
 cmake --build "$build_dir" -j "$jobs"
 echo "Built in $SECONDS s"
 cd "$build_dir"
-ctest --output-on-failure --no-tests=error
+status=0
+ctest --output-on-failure --no-tests=error -LE 'address|thread|fuzz|memcheck' || status=$?
+[[ $instrumented == OFF ]] || ctest --output-on-failure --no-tests=error -L 'address|thread|fuzz|memcheck' || status=$?
+exit $status

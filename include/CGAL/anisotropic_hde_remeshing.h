@@ -80,10 +80,14 @@ remeshes a triangle mesh so that it becomes uniform and isotropic in the embeddi
 hence adapted to the curvature and stretched along the directions of low curvature in space, by splits, contractions and flips
 of edges and smoothing of vertices. Every vertex inside the surface is put on the zero set of `function`. Vertices of the
 boundary, of constrained edges and of the edges between patches stay on the polylines that these edges form in the input, whose
-ends, branchings and turns of more than 60 degrees are kept; a closed polyline keeps at least 0.85 of its length. Components,
-boundary curves and the Euler characteristic are kept; no operation folds the surface over.
+ends, branchings and turns of more than 60 degrees are kept; a closed polyline keeps at least 0.85 of its length.
 
-The result does not depend on the number of threads. If an exception is thrown, `tmesh` is as it was.
+For any orientable manifold triangle mesh, any finite parameters and any number of threads, the call ends, and the result is valid,
+manifold and consistently oriented, with the components, boundary loops and Euler characteristic of the input. No face is folded:
+none looks against the normals at its vertices more than those before it, and there are not more edges over which two faces turn by
+more than 143 degrees; no face is degenerate that was not. Vertices that are not on the zero set are counted in the result. With
+`do_self_intersection_tests`, the result has no self-intersection that the input does not have. The result does not depend on the
+number of threads. Anything else is refused before `tmesh` is touched; if an exception is thrown, it is as it was.
 
 If constraints are given, constrained vertices, the ends, branchings and turns mentioned above, and protected edges keep their
 descriptors; if none are given, all elements are replaced: descriptors become invalid, and isolated vertices are dropped.
@@ -213,8 +217,8 @@ descriptors; if none are given, all elements are replaced: descriptors become in
   \cgalParamNBegin{do_self_intersection_tests}
     \cgalParamDescription{whether every operation is refused that would let a face intersect another one, of all faces of `tmesh`,
                           unless one of the faces in its place did so already: the result has no self-intersection that the input
-                          did not have, up to the rounding of the points where these are not of `double`. It takes about twice the
-                          time.}
+                          did not have, up to the rounding of the points where these are not of `double`. It takes two to four
+                          times as long.}
     \cgalParamType{bool}
     \cgalParamDefault{`false`}
   \cgalParamNEnd

@@ -13,6 +13,7 @@
 
 #include "shapes.h"
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -196,6 +197,24 @@ inline Soup sphere_with_point(const Point_3& p, const bool is_isolated)
   return soup;
 }
 
+// a sphere with needles of next to no area that are far longer than all else
+inline Soup sphere_with_long_needles(const double length)
+{
+  Soup soup = shapes::icosphere_soup(2);
+  const std::size_t tip = soup.points.size();
+  soup.points.emplace_back(length, 0, 0);
+  // a face is replaced by three, two of which go to the tip on one line
+  const std::array<std::size_t, 3> t = soup.triangles.back();
+  soup.triangles.pop_back();
+  soup.points.push_back(CGAL::midpoint(soup.points[tip], soup.points[t[0]]));
+  soup.triangles.push_back({t[0], t[1], tip + 1});
+  soup.triangles.push_back({t[1], t[2], tip + 1});
+  soup.triangles.push_back({t[2], tip, tip + 1});
+  soup.triangles.push_back({t[2], t[0], tip});
+  soup.triangles.push_back({tip, t[0], tip + 1});
+  return soup;
+}
+
 inline Soup far_from_origin()
 {
   Soup soup;
@@ -242,6 +261,7 @@ inline std::map<std::string, std::function<Soup()>> all()
           {"sphere-without-thickness", sphere_without_thickness},
           {"sphere-with-isolated-vertex", [] { return sphere_with_point(Point_3(9, 9, 9), true); }},
           {"sphere-with-spike", [] { return sphere_with_point(Point_3(1000, 0, 0), false); }},
+          {"sphere-with-long-needles", [] { return sphere_with_long_needles(1e9); }},
           {"sphere-with-nan", [=] { return sphere_with_point(Point_3(nan_value, 0, 0), false); }},
           {"sphere-with-infinity", [=] { return sphere_with_point(Point_3(0, -infinity, 0), false); }},
           {"triangle", triangle},

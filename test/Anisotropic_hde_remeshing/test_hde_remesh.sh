@@ -252,6 +252,20 @@ refuses 1 "line 5" nan.stl precious.off
 { head -c 80 /dev/zero; printf '\x01\x00\x00\x00'; head -c 12 /dev/zero; printf '\x00\x00\xc0\x7f'; head -c 34 /dev/zero; } \
   >binary_nan.stl
 refuses 1 "face 1" binary_nan.stl precious.off
+# headers of PLY that CGAL's reader would trust
+refuses_ply() {
+  local text=$1
+  shift
+  printf '%s\n' "$@" >header.ply
+  refuses 1 "$text" header.ply precious.off
+}
+refuses_ply "line 1" "element vertex 3"
+refuses_ply "line 3: a property comes before any element" ply "format ascii 1.0" "property float x" "element vertex 1" end_header
+refuses_ply "line 3: the file is too short for 99999999999 of vertex" ply "format ascii 1.0" "element vertex 99999999999" end_header
+refuses_ply "no property of a known type" ply "format ascii 1.0" "element vertex 1" "property long x" end_header
+refuses_ply "'vertex' begins no line" ply "vertex 1" end_header
+refuses_ply "the header does not end" ply "format ascii 1.0" "element vertex 1"
+
 for format in off obj ply stl; do
   head -c $(($(stat -c %s sphere.$format) * 2 / 3)) sphere.$format | head -c -3 >truncated.$format
   [ $format = obj ] && continue # any number of whole lines is a file of this format

@@ -8,6 +8,8 @@
 
 #include "unreadable.h"
 
+#include "ply_header.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -140,6 +142,12 @@ std::string problem_of_numbers(const std::string& text, const Format format)
 {
   if (format == Format::STL && is_binary_stl(text))
     return problem_of_binary_stl(text);
+  if (format == Format::PLY)
+  {
+    const std::string problem = problem_of_ply_header(text);
+    if (!problem.empty())
+      return problem;
+  }
   return problem_of_text(text, format);
 }
 

@@ -12,6 +12,10 @@
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
 #include <CGAL/Anisotropic_hde_remeshing/internal/Interruption.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/Loop_body.h>
+#ifdef CGAL_LINKED_WITH_TBB
+#  include <CGAL/Anisotropic_hde_remeshing/internal/run_in_parallel.h>
+#endif
 
 #include <CGAL/tags.h>
 
@@ -21,48 +25,9 @@
 #include <type_traits>
 #include <vector>
 
-#ifdef CGAL_LINKED_WITH_TBB
-#  include <tbb/blocked_range.h>
-#  include <tbb/parallel_for.h>
-#  include <tbb/parallel_sort.h>
-#endif
-
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
-
-// The body of a loop, called for parts of its range. Its type is forgotten, so that TBB's loop is compiled once for all bodies.
-class Loop_body
-{
-public:
-  template <typename Function>
-  Loop_body(const Function& f, Interruption& interruption)
-    : m_function(&f), m_interruption(interruption), m_run(&run<Function>)
-  {
-  }
-
-  void operator()(const std::size_t begin, const std::size_t end) const { m_run(m_function, m_interruption, begin, end); }
-
-private:
-  template <typename Function>
-  static void run(const void* f, Interruption& interruption, const std::size_t begin, const std::size_t end)
-  {
-    for (std::size_t i = begin; i != end && !interruption.poll(); ++i)
-      (*static_cast<const Function*>(f))(i);
-  }
-
-  const void* m_function;
-  Interruption& m_interruption;
-  void (*m_run)(const void*, Interruption&, std::size_t, std::size_t);
-};
-
-#ifdef CGAL_LINKED_WITH_TBB
-inline void run_in_parallel(const std::size_t n, const Loop_body& body, const std::size_t grain)
-{
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, grain),
-                    [&](const tbb::blocked_range<std::size_t>& range) { body(range.begin(), range.end()); });
-}
-#endif
 
 // Calls `f(i)` for every i in [0, n), by TBB if the tag asks for it and TBB is linked. `f` writes to places of its own, so
 // that the result is the same for any number of threads. Below `grain` calls a thread is not worth waking. Once
@@ -121,7 +86,7 @@ void parallel_sort(Vector& elements)
 #ifdef CGAL_LINKED_WITH_TBB
   if constexpr (std::is_convertible<ConcurrencyTag, Parallel_tag>::value)
   {
-    tbb::parallel_sort(elements.begin(), elements.end());
+    sort_in_parallel(elements);
     return;
   }
 #endif

@@ -57,6 +57,8 @@ class Remesher
   static constexpr int maximum_number_of_paper_rounds = 20;
   static constexpr int maximum_number_of_error_rounds = 16;
   static constexpr double largest_deviation = 1.5; // of centroids of faces while the mesh is remeshed, over the error
+  // over the number of faces asked for: needles without area have many edges that are too long, whatever that number is
+  static constexpr double largest_growth_of_splits = 4;
   static constexpr double largest_growth_of_refinement = 8; // of the number of faces, where the surface is hopeless
 
   // The default scheme aims alternately at a little fewer and a little more faces than asked, and flips edges towards
@@ -174,7 +176,8 @@ private:
       return; // not all have been projected, or looked at
     moves.template accept<ConcurrencyTag>(m_mesh);
     for (const Vertex_index v : m_mesh.vertices())
-      if (is_chosen(v) && !moves.is_moved(v) && !m_projection.is_exact(m_mesh.point(v)))
+      if (is_chosen(v) && !moves.is_moved(v) && !m_mesh.point(v).is_on_curve && !m_mesh.point(v).is_fixed &&
+          !m_projection.is_on_surface(m_mesh.point(v)))
         ++m_result.number_of_unprojected_vertices;
   }
 
@@ -335,7 +338,7 @@ private:
     const double number_of_faces = target.number_of_faces() * alternating_factor(target.number_of_faces());
     const double length =
         m_length_factor * target.length() * std::sqrt(target.number_of_faces() / number_of_faces);
-    split(length);
+    split(length, number_of_faces);
     report(0.2);
     collapse(length);
     if (m_iteration > 0 || is_settling())
@@ -367,7 +370,7 @@ private:
       flip(Flip_criterion::ANGLE);
     }
     report(0.5);
-    split(length);
+    split(length, target.number_of_faces());
     if (m_iteration > 0 && !target.is_length_given())
       approach_number_of_faces(target.number_of_faces(), length);
     flip(Flip_criterion::ANGLE);
@@ -378,11 +381,13 @@ private:
   // so few splits or contractions that another pass over all edges is not worth it: the next iteration sees to the rest
   bool is_negligible(const std::size_t count) const { return 1000 * count <= m_mesh.number_of_edges(); }
 
-  void split(const double length)
+  void split(const double length, const double number_of_faces)
   {
+    const double largest = largest_growth_of_splits * (std::max)(number_of_faces, double(m_mesh.number_of_faces()));
     for (int pass = 0; pass < maximum_number_of_split_passes && go_further(); ++pass)
     {
-      if (is_negligible(apply_split(m_parameters.split_ratio * length)))
+      const double room = (largest - double(m_mesh.number_of_faces())) / 2; // a split makes two faces of one
+      if (room < 1 || is_negligible(apply_split(m_parameters.split_ratio * length, std::size_t(room))))
         break;
     }
   }

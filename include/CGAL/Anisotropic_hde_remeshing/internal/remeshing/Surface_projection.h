@@ -57,6 +57,13 @@ public:
   // that counts as exact, Newton's method leaves its square times a curvature, 1e-9 where that is ten over the diagonal
   bool is_exact(const Vertex_state& state) const { return state.last_step <= 1e4 * m_exact_distance; }
 
+  // whether the point is as near to the zero set as exact projections get, to first order
+  bool is_on_surface(const Vertex_state& state) const
+  {
+    const Value_and_gradient at_point = evaluate(state.point);
+    return std::abs(at_point.value) <= m_exact_distance * at_point.gradient.norm(); // not if they are not numbers
+  }
+
   // onto the zero set, as near as doubles allow
   void project(Vertex_state& state, const double trust_radius) const
   {

@@ -1,0 +1,94 @@
+# Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+#
+# This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Author(s)     : The Anisotropic_hde_remeshing developers
+
+# Tests under tools that find what checks do not, a ctest label each: `address` (AddressSanitizer and UBSan), `thread`
+# (ThreadSanitizer), `fuzz` (libFuzzer, with both of the first) and `memcheck` (valgrind). They take minutes to compile.
+# CGAL_AHR_FUZZING_SECONDS says how long each fuzzer runs.
+
+set(CGAL_AHR_FUZZING_SECONDS 60 CACHE STRING "how long each fuzzer runs, in seconds")
+
+# not what CGAL and Boost do on purpose: references to elements that are not there, casts within hierarchies of traits
+set(undefined_behaviour
+  bounds,integer-divide-by-zero,float-cast-overflow,shift,signed-integer-overflow,return,bool,enum,unreachable)
+
+# add_instrumented_test(NAME LABEL SOURCE FLAG...)
+function(add_instrumented_test name label source)
+  add_executable(${name} ${source})
+  target_link_libraries(${name} PRIVATE Anisotropic_hde_remeshing::Anisotropic_hde_remeshing)
+  target_compile_options(${name} PRIVATE -O1 -g1 ${ARGN})
+  target_link_options(${name} PRIVATE ${ARGN})
+  add_test(NAME ${name} COMMAND ${name})
+  set_tests_properties(${name} PROPERTIES LABELS ${label} TIMEOUT 900)
+endfunction()
+
+set(address_flags -fsanitize=address,${undefined_behaviour} -fno-sanitize-recover=all)
+add_instrumented_test(address_test_promises address test_promises.cpp ${address_flags})
+add_instrumented_test(address_test_constraints address test_remeshing_constraints.cpp ${address_flags})
+
+if(CGAL_AHR_WITH_TBB AND TARGET CGAL::TBB_support)
+  add_instrumented_test(thread_test_threads thread threads/test_threads.cpp -fsanitize=thread)
+  target_include_directories(thread_test_threads BEFORE PRIVATE threads)
+  set_tests_properties(thread_test_threads PROPERTIES ENVIRONMENT "TSAN_OPTIONS=halt_on_error=1")
+endif()
+
+find_program(CGAL_AHR_VALGRIND valgrind)
+if(CGAL_AHR_VALGRIND)
+  add_test(NAME memcheck_test_simultaneous_moves
+    COMMAND "${CGAL_AHR_VALGRIND}" --quiet --leak-check=full --error-exitcode=1 $<TARGET_FILE:test_simultaneous_moves>)
+  set_tests_properties(memcheck_test_simultaneous_moves PROPERTIES LABELS memcheck TIMEOUT 300)
+endif()
+
+# libFuzzer is Clang's, whichever compiler builds the rest. Without TBB: one thread is enough.
+find_program(CGAL_AHR_CLANG clang++)
+if(NOT CGAL_AHR_CLANG)
+  message(STATUS "There are no fuzzers, as clang++ was not found")
+  return()
+endif()
+
+# What they include, by the compiler's own list where CMake can read it.
+get_target_property(eigen_folders Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
+set(fuzzer_folders "${PROJECT_SOURCE_DIR}/include" "${CMAKE_CURRENT_SOURCE_DIR}" ${CGAL_INCLUDE_DIRS} ${eigen_folders})
+list(FILTER fuzzer_folders EXCLUDE REGEX "^(/usr/include|.*[$]<.*)$")
+list(TRANSFORM fuzzer_folders PREPEND -I)
+set(fuzzer_flags -std=c++17 -O1 -g1 -DCGAL_EIGEN3_ENABLED ${fuzzer_folders} -fno-sanitize-recover=all
+  -fsanitize=fuzzer,address,${undefined_behaviour})
+
+# add_fuzzer(NAME LARGEST_SIZE SOURCE...): runs on what was found before, in fuzzing/NAME, and on new input from there
+function(add_fuzzer name largest_size)
+  set(objects "")
+  foreach(source IN LISTS ARGN)
+    get_filename_component(object "${source}" NAME_WE)
+    set(object "${CMAKE_CURRENT_BINARY_DIR}/${name}_${object}.o")
+    get_filename_component(source "${source}" ABSOLUTE)
+    set(dependencies "")
+    if(CMAKE_VERSION VERSION_GREATER_EQUAL 3.20)
+      set(dependencies DEPFILE "${object}.d")
+    endif()
+    add_custom_command(OUTPUT "${object}"
+      COMMAND "${CGAL_AHR_CLANG}" ${fuzzer_flags} -MD -MF "${object}.d" -c "${source}" -o "${object}"
+      DEPENDS "${source}" ${dependencies}
+      COMMENT "Compiling ${name} for libFuzzer" VERBATIM)
+    list(APPEND objects "${object}")
+  endforeach()
+  add_custom_command(OUTPUT ${name}
+    COMMAND "${CGAL_AHR_CLANG}" ${fuzzer_flags} ${objects} -o ${name} -lgmp -lmpfr
+    DEPENDS ${objects} VERBATIM)
+  add_custom_target(${name}_fuzzer ALL DEPENDS ${name})
+  file(MAKE_DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}/${name}_corpus")
+  add_test(NAME ${name}
+    COMMAND "${CMAKE_CURRENT_BINARY_DIR}/${name}" -max_total_time=${CGAL_AHR_FUZZING_SECONDS} -max_len=${largest_size}
+      -rss_limit_mb=4096 -timeout=60 -print_final_stats=1 "${CMAKE_CURRENT_BINARY_DIR}/${name}_corpus"
+      "${CMAKE_CURRENT_SOURCE_DIR}/fuzzing/${name}")
+  math(EXPR limit "${CGAL_AHR_FUZZING_SECONDS} + 600")
+  set_tests_properties(${name} PROPERTIES LABELS fuzz TIMEOUT ${limit})
+endfunction()
+
+add_fuzzer(fuzz_operations 400 fuzzing/fuzz_operations.cpp)
+set(program "${PROJECT_SOURCE_DIR}/examples/Anisotropic_hde_remeshing/hde_remesh")
+add_fuzzer(fuzz_files 4000 fuzzing/fuzz_files.cpp ${program}/mesh_file.cpp ${program}/Mesh.cpp ${program}/Format.cpp
+  ${program}/unreadable.cpp ${program}/ply_header.cpp ${program}/repair.cpp)

@@ -1,0 +1,110 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+// From the bytes of a file to its mesh and its remeshing, as hde_remesh reads them: a valid result or a refusal. The first three
+// bytes are the format and the parameters. For libFuzzer.
+
+#include "../../../examples/Anisotropic_hde_remeshing/hde_remesh/Failure.h"
+#include "../../../examples/Anisotropic_hde_remeshing/hde_remesh/Mesh.h"
+#include "../../../examples/Anisotropic_hde_remeshing/hde_remesh/mesh_file.h"
+#include "../../../examples/Anisotropic_hde_remeshing/hde_remesh/repair.h"
+#include "../promises.h"
+
+#include <CGAL/Rbf_implicit_function.h>
+#include <CGAL/anisotropic_hde_remeshing.h>
+
+#include <unistd.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+
+namespace {
+
+typedef CGAL::Rbf_implicit_function<shapes::Kernel> Function;
+
+constexpr std::size_t largest_number_of_faces = 200;
+
+struct Parameters
+{
+  bool is_repaired, has_tests;
+  double sigma, factor;
+};
+
+void remesh(const std::string& file_name, const Parameters& parameters)
+{
+  hde_remesh::Soup soup = hde_remesh::read_soup(file_name);
+  if (soup.faces.size() > largest_number_of_faces || soup.points.size() > 3 * largest_number_of_faces)
+    return;
+  hde_remesh::check_points(soup, file_name);
+  if (parameters.is_repaired)
+  {
+    hde_remesh::Repair repair;
+    soup = hde_remesh::repaired(soup, repair);
+  }
+  const hde_remesh::Mesh input = hde_remesh::mesh_of_soup(soup, file_name).mesh;
+  hde_remesh::Mesh mesh = input;
+  const Function function(mesh);
+  const auto np = CGAL::parameters::relative_sigma(parameters.sigma)
+                      .number_of_target_faces(1 + std::size_t(parameters.factor * double(mesh.number_of_faces())))
+                      .number_of_iterations(3)
+                      .do_self_intersection_tests(parameters.has_tests);
+  const auto result = CGAL::anisotropic_hde_remeshing(mesh, function, np);
+  const std::string broken = promises::broken(input, mesh, function, result, parameters.has_tests);
+  if (broken.empty())
+    return;
+  std::cerr << broken << std::endl;
+  std::abort();
+}
+
+// in the memory if there is such a folder; removed at the end
+const std::filesystem::path& folder()
+{
+  struct Folder
+  {
+    std::filesystem::path path;
+
+    Folder()
+    {
+      const std::filesystem::path memory = "/dev/shm";
+      path = (std::filesystem::is_directory(memory) ? memory : std::filesystem::temp_directory_path()) /
+             ("hde_remesh_fuzzing_" + std::to_string(getpid()));
+      std::filesystem::create_directory(path);
+    }
+    ~Folder() { std::filesystem::remove_all(path); }
+  };
+  static const Folder result;
+  return result.path;
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, const std::size_t size)
+{
+  if (size < 3)
+    return 0;
+  static const char* const formats[] = {"off", "obj", "ply", "stl"};
+  const std::string file_name = (folder() / "input.").string() + formats[data[0] % 4];
+  std::ofstream(file_name, std::ios::binary).write(reinterpret_cast<const char*>(data + 3), std::streamsize(size - 3));
+  try
+  {
+    remesh(file_name, Parameters{data[1] % 2 == 1, data[1] % 4 > 1, 0.002 * data[1], 0.02 * data[2]});
+  }
+  catch (const hde_remesh::Failure&)
+  {
+  }
+  catch (const std::invalid_argument&)
+  {
+  }
+  return 0;
+}
