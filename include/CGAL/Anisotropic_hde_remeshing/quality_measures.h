@@ -72,10 +72,13 @@ inline std::size_t number_of_folded_edges(const Measured_mesh& mesh)
       sides.push_back(Side{ends.first, ends.second, f});
     }
   std::sort(sides.begin(), sides.end());
+  const double unit = mesh.diagonal(); // whatever that of the mesh is, products neither overflow nor vanish
+  if (!(unit > 0))
+    return 0;
   std::size_t number = 0;
   for (std::size_t i = 1; i < sides.size(); ++i)
     if (sides[i - 1].low == sides[i].low && sides[i - 1].high == sides[i].high)
-      number += is_folded_edge(mesh.scaled_normal(sides[i - 1].face), mesh.scaled_normal(sides[i].face)) ? 1 : 0;
+      number += is_folded_edge(mesh.normal_in_unit(sides[i - 1].face, unit), mesh.normal_in_unit(sides[i].face, unit)) ? 1 : 0;
   return number;
 }
 

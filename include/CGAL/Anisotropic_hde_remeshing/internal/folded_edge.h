@@ -38,7 +38,7 @@ inline bool is_folded_edge(const Vector& normal, const Vector& neighbor)
 {
   const double product = normal.dot(neighbor);
   return product < 0 && // hardly ever
-         product * product > fold_cosine * fold_cosine * (normal.squaredNorm() * neighbor.squaredNorm());
+         product < fold_cosine * (normal.norm() * neighbor.norm());
 }
 
 

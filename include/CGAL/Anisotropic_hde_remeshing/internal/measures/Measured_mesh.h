@@ -53,13 +53,11 @@ struct Measured_mesh
     return (points[v[1]] - points[v[0]]).cross(points[v[2]] - points[v[0]]);
   }
 
-  // as `triangle_normal()`, but of another length: it neither overflows nor vanishes, whatever the unit of the mesh
-  Vector scaled_normal(const std::size_t f) const
+  // as `triangle_normal()`, in a unit of length
+  Vector normal_in_unit(const std::size_t f, const double unit) const
   {
     const std::array<std::size_t, 3>& v = faces[f];
-    const Vector ab = points[v[1]] - points[v[0]], ac = points[v[2]] - points[v[0]];
-    const double scale = (std::max)(ab.lpNorm<Eigen::Infinity>(), ac.lpNorm<Eigen::Infinity>());
-    return scale > 0 ? triangle_normal(ab / scale, ac / scale) : Vector(Vector::Zero());
+    return triangle_normal((points[v[1]] - points[v[0]]) / unit, (points[v[2]] - points[v[0]]) / unit);
   }
 
   double diagonal() const // of the bounding box
@@ -72,7 +70,7 @@ struct Measured_mesh
       low = low.cwiseMin(p);
       high = high.cwiseMax(p);
     }
-    return (high - low).norm();
+    return (high - low).stableNorm();
   }
 };
 
