@@ -56,7 +56,8 @@ set(fuzzer_folders "${PROJECT_SOURCE_DIR}/include" "${CMAKE_CURRENT_SOURCE_DIR}"
 list(FILTER fuzzer_folders EXCLUDE REGEX "^(/usr/include|.*[$]<.*)$")
 list(TRANSFORM fuzzer_folders PREPEND -I)
 set(fuzzer_flags -std=c++17 -O1 -g1 -DCGAL_EIGEN3_ENABLED ${fuzzer_folders} -fno-sanitize-recover=all
-  -fsanitize=fuzzer,address,${undefined_behaviour})
+  -fsanitize=fuzzer,address,${undefined_behaviour}
+  "-fsanitize-ignorelist=${CMAKE_CURRENT_SOURCE_DIR}/fuzzing/ignored_by_ubsan.txt")
 
 # add_fuzzer(NAME LARGEST_SIZE SOURCE...): runs on what was found before, in fuzzing/NAME, and on new input from there
 function(add_fuzzer name largest_size)
