@@ -9,8 +9,8 @@
 
 # Installs what is missing (packages of Debian), builds everything and runs all tests, those under sanitizers, libFuzzer and
 # valgrind last. Usage: scripts/run_tests.sh
-# BUILD_DIR (default build/tests), JOBS (default 2), INSTRUMENTED=OFF, which leaves these out, and FUZZING_SECONDS (default 60),
-# the time for each fuzzer, may be set in the environment.
+# BUILD_DIR (default build/tests), JOBS (default 2), INSTRUMENTED=OFF, which leaves these out, and FUZZING_SECONDS
+# (default 0: on the same inputs each time), the time for each fuzzer, may be set in the environment.
 
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -25,7 +25,7 @@ install_packages
 [[ $instrumented == OFF ]] || install_missing clang valgrind
 unpack_cgal_data "$build_dir"
 cmake -Wno-dev -S . -B "$build_dir" -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=ON \
-  -DCGAL_AHR_WITH_INSTRUMENTED_TESTS="$instrumented" -DCGAL_AHR_FUZZING_SECONDS="${FUZZING_SECONDS:-60}"
+  -DCGAL_AHR_WITH_INSTRUMENTED_TESTS="$instrumented" -DCGAL_AHR_FUZZING_SECONDS="${FUZZING_SECONDS:-0}"
 SECONDS=0
 cmake --build "$build_dir" -j "$jobs"
 echo "Built in $SECONDS s"

@@ -8,9 +8,9 @@
 
 # Tests under tools that find what checks do not, a ctest label each: `address` (AddressSanitizer and UBSan), `thread`
 # (ThreadSanitizer), `fuzz` (libFuzzer, with both of the first) and `memcheck` (valgrind). They take minutes to compile.
-# CGAL_AHR_FUZZING_SECONDS says how long each fuzzer runs.
+# The fuzzers run some thousand inputs, the same each time, or CGAL_AHR_FUZZING_SECONDS on other ones each time.
 
-set(CGAL_AHR_FUZZING_SECONDS 60 CACHE STRING "how long each fuzzer runs, in seconds")
+set(CGAL_AHR_FUZZING_SECONDS 0 CACHE STRING "how long each fuzzer runs, in seconds; 0: on the same inputs each time")
 
 # not what CGAL and Boost do on purpose: references to elements that are not there, casts within hierarchies of traits
 set(undefined_behaviour
@@ -26,7 +26,8 @@ function(add_instrumented_test name label source)
   set_tests_properties(${name} PROPERTIES LABELS ${label} TIMEOUT 900)
 endfunction()
 
-set(address_flags -fsanitize=address,${undefined_behaviour} -fno-sanitize-recover=all)
+# with all assertions, CGAL's and Eigen's, too
+set(address_flags -UNDEBUG -fsanitize=address,${undefined_behaviour} -fno-sanitize-recover=all)
 add_instrumented_test(address_test_promises address test_promises.cpp ${address_flags})
 add_instrumented_test(address_test_constraints address test_remeshing_constraints.cpp ${address_flags})
 
@@ -80,11 +81,15 @@ function(add_fuzzer name largest_size)
     COMMAND "${CGAL_AHR_CLANG}" ${fuzzer_flags} ${objects} -o ${name} -lgmp -lmpfr
     DEPENDS ${objects} VERBATIM)
   add_custom_target(${name}_fuzzer ALL DEPENDS ${name})
-  file(MAKE_DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}/${name}_corpus")
+  set(new_inputs "${CMAKE_CURRENT_BINARY_DIR}/${name}_corpus")
+  file(MAKE_DIRECTORY "${new_inputs}")
+  set(duration -max_total_time=${CGAL_AHR_FUZZING_SECONDS})
+  if(CGAL_AHR_FUZZING_SECONDS EQUAL 0)
+    set(duration -seed=1 -runs=2500 -reload=0)
+  endif()
   add_test(NAME ${name}
-    COMMAND "${CMAKE_CURRENT_BINARY_DIR}/${name}" -max_total_time=${CGAL_AHR_FUZZING_SECONDS} -max_len=${largest_size}
-      -rss_limit_mb=4096 -timeout=60 -print_final_stats=1 "${CMAKE_CURRENT_BINARY_DIR}/${name}_corpus"
-      "${CMAKE_CURRENT_SOURCE_DIR}/fuzzing/${name}")
+    COMMAND "${CMAKE_CURRENT_BINARY_DIR}/${name}" ${duration} -max_len=${largest_size} -rss_limit_mb=4096 -timeout=60
+      -print_final_stats=1 ${new_inputs} "${CMAKE_CURRENT_SOURCE_DIR}/fuzzing/${name}")
   math(EXPR limit "${CGAL_AHR_FUZZING_SECONDS} + 600")
   set_tests_properties(${name} PROPERTIES LABELS fuzz TIMEOUT ${limit})
 endfunction()

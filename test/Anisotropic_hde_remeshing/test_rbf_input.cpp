@@ -380,6 +380,15 @@ void test_degenerate_positions()
   for (const Point_with_normal& p : points)
     for (const double z : {-0.3, -0.1, 0., 0.1, 0.3})
       CHECK_CLOSE(f(p.first + z * p.second), z, 1e-9);
+
+  // faces without area, whose points have normals all the same: these are the surface, far away, too
+  Mesh needles;
+  for (int i = 0; i < 12; ++i)
+    CGAL::make_triangle(Point_3(i, 0, 0), Point_3(i + 0.5, 0, 0), Point_3(i + 0.9, 0, 0), needles);
+  auto normals = needles.add_property_map<Mesh::Vertex_index, Vector_3>("v:normal", Vector_3(0, 0, 1)).first;
+  const Function g(needles, CGAL::parameters::vertex_normal_map(normals));
+  for (const double z : {-100., -0.5, 0.5, 100.})
+    CHECK(std::isfinite(g(Point_3(5, 0, z))) && g(Point_3(5, 0, z)) * z > 0);
 }
 
 void test_normals()

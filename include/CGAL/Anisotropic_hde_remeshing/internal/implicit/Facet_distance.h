@@ -12,6 +12,7 @@
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
 #include <CGAL/Anisotropic_hde_remeshing/internal/Closest_facet.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Point_distance.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Signed_distance.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Surface_sample.h>
 
@@ -29,19 +30,24 @@ namespace internal {
 
 // The distance to the facets of a mesh. Its sign is that of the side of the pseudonormal at the closest point (Baerentzen and
 // Aanaes): of the facet, or where the point is on an edge the sum of its facets' normals, or at a vertex their sum weighted by
-// angle.
+// angle. If no facet has an area, but points have normals, it is the distance to these.
 class Facet_distance : public Signed_distance
 {
 public:
   explicit Facet_distance(std::shared_ptr<const Surface_sample> sample)
-    : m_sample(std::move(sample)), m_closest_facet(m_sample->points, m_sample->facets)
+    : m_sample(std::move(sample)), m_closest_facet(m_sample->points, m_sample->facets), m_point_distance(m_sample)
   {
   }
 
-  Value_and_gradient distance(const Vector& p) const override { return distance(p, closest(p)); }
+  Value_and_gradient distance(const Vector& p) const override
+  {
+    return m_closest_facet.empty() ? m_point_distance.distance(p) : distance(p, closest(p));
+  }
 
   Value_and_gradient with_interpolated_normals(const Vector& p) const override
   {
+    if (m_closest_facet.empty())
+      return m_point_distance.with_interpolated_normals(p);
     const Closest_facet::Answer answer = closest(p);
     Value_and_gradient result = distance(p, answer);
     Vector normal = Vector::Zero();
@@ -128,7 +134,7 @@ private:
       const Facet& facet = m_sample->facets[f];
       const auto edge = [&](const int k) -> Vector
       { return m_sample->points[facet[std::size_t((k + 1) % 3)]] - m_sample->points[facet[std::size_t(k)]]; };
-      const Vector area = edge(0).cross(edge(1));
+      const Vector area = edge(0).cross(-edge(2)); // as Closest_facet has it
       if (!(area.norm() > 0))
         continue;
       m_facet_normals[f] = area.normalized();
@@ -145,6 +151,7 @@ private:
 
   std::shared_ptr<const Surface_sample> m_sample;
   Closest_facet m_closest_facet;
+  Point_distance m_point_distance;
   mutable std::once_flag m_is_built;
   mutable std::vector<Vector> m_facet_normals, m_vertex_normals;
   mutable std::vector<Edge_normal> m_edge_normals; // one a facet at the edge, by edge

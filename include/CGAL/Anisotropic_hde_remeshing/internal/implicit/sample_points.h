@@ -27,6 +27,8 @@ template <typename ConcurrencyTag>
 void compute_spacings(Surface_sample& sample, Interruption& interruption)
 {
   static constexpr unsigned int number_of_neighbors = 6;
+  if (sample.points.empty())
+    return; // which a search tree does not like
   const Point_search search(sample.points);
   parallel_for<ConcurrencyTag>(sample.size(),
                                [&](const std::size_t i)

@@ -19,6 +19,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
@@ -102,6 +103,12 @@ public:
 private:
   Value_and_gradient evaluate(const Vector& p) const
   {
+    if (!p.allFinite()) // a step on faces whose curvature overflows, say: no function need bear that
+    {
+      Value_and_gradient none;
+      none.value = std::numeric_limits<double>::quiet_NaN();
+      return none;
+    }
     Value_and_gradient result = value_and_gradient_of(m_function, m_unit * p);
     result.value /= m_unit;
     return result;
