@@ -51,8 +51,7 @@ if(NOT CGAL_AHR_CLANG)
   return()
 endif()
 
-# What they include, by the compiler's own list where CMake can read it.
-get_target_property(eigen_folders Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
+get_target_property(eigen_folders CGAL::Eigen3_support INTERFACE_INCLUDE_DIRECTORIES)
 set(fuzzer_folders "${PROJECT_SOURCE_DIR}/include" "${CMAKE_CURRENT_SOURCE_DIR}" ${CGAL_INCLUDE_DIRS} ${eigen_folders})
 list(FILTER fuzzer_folders EXCLUDE REGEX "^(/usr/include|.*[$]<.*)$")
 list(TRANSFORM fuzzer_folders PREPEND -I)
