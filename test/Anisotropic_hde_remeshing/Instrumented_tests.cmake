@@ -37,10 +37,12 @@ if(CGAL_AHR_WITH_TBB AND TARGET CGAL::TBB_support)
   set_tests_properties(thread_test_threads PROPERTIES ENVIRONMENT "TSAN_OPTIONS=halt_on_error=1")
 endif()
 
+# what TBB's threads keep to the end may be reached
 find_program(CGAL_AHR_VALGRIND valgrind)
 if(CGAL_AHR_VALGRIND)
   add_test(NAME memcheck_test_simultaneous_moves
-    COMMAND "${CGAL_AHR_VALGRIND}" --quiet --leak-check=full --error-exitcode=1 $<TARGET_FILE:test_simultaneous_moves>)
+    COMMAND "${CGAL_AHR_VALGRIND}" --quiet --leak-check=full --show-leak-kinds=definite
+      --errors-for-leak-kinds=definite --error-exitcode=1 $<TARGET_FILE:test_simultaneous_moves>)
   set_tests_properties(memcheck_test_simultaneous_moves PROPERTIES LABELS memcheck TIMEOUT 300)
 endif()
 
