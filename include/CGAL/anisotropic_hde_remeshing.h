@@ -217,8 +217,8 @@ descriptors; if none are given, all elements are replaced: descriptors become in
   \cgalParamNBegin{do_self_intersection_tests}
     \cgalParamDescription{whether every operation is refused that would let a face intersect another one, of all faces of `tmesh`,
                           unless one of the faces in its place did so already: the result has no self-intersection that the input
-                          did not have, up to the rounding of the points where these are not of `double`. It takes two to four
-                          times as long.}
+                          did not have, up to the rounding of the points where these are not of `double`. The operations take
+                          up to about five times as long.}
     \cgalParamType{bool}
     \cgalParamDefault{`false`}
   \cgalParamNEnd

@@ -155,7 +155,7 @@ void add_remeshing_options(CLI::App& app, Options& o)
   app.add_option("--collapse-ratio", o.collapse_ratio, "edges shorter than this times the length are contracted")
       ->group(group);
   app.add_flag("--avoid-self-intersections", o.avoid_self_intersections,
-               "let no triangles intersect that do not do so in IN; takes two to four times as long")
+               "let no triangles intersect that do not do so in IN; takes up to about five times as long")
       ->group(group);
   app.add_option("--split-ratio", o.split_ratio, "edges longer than this times the length are split")->group(group);
 }

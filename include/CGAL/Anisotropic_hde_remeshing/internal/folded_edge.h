@@ -41,7 +41,6 @@ inline bool is_folded_edge(const Vector& normal, const Vector& neighbor)
          product < fold_cosine * (normal.norm() * neighbor.norm());
 }
 
-
 } // namespace internal
 } // namespace Anisotropic_hde_remeshing
 } // namespace CGAL

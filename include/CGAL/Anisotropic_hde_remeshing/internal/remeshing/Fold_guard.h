@@ -115,7 +115,6 @@ private:
   const Mesh& m_mesh;
 };
 
-
 } // namespace internal
 } // namespace Anisotropic_hde_remeshing
 } // namespace CGAL

@@ -154,7 +154,6 @@ private:
   Tree m_tree;
 };
 
-
 } // namespace internal
 } // namespace Anisotropic_hde_remeshing
 } // namespace CGAL

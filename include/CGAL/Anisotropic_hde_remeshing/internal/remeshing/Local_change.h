@@ -62,7 +62,6 @@ private:
   New_faces m_new_faces;
 };
 
-
 } // namespace internal
 } // namespace Anisotropic_hde_remeshing
 } // namespace CGAL
