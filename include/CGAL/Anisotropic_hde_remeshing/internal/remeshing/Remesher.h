@@ -13,19 +13,14 @@
 
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_result.h>
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_scheme.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/Duration.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/Vertex_fitter.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Error_target.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Local_operations.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Operation_guard.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Target_length.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/remeshing_parameters.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/collapse_edges.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/flip_edges.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Simultaneous_moves.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/reorder_mesh.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/smooth_vertices.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/split_edges.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Vertex_projector.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/update_metric.h>
 
 #include <algorithm>
@@ -45,10 +40,10 @@ template <typename ConcurrencyTag, typename Embedding, typename Projection, type
 class Remesher
 {
   typedef Working_mesh<typename Embedding::Vertex_data> Mesh;
-  typedef typename Mesh::Vertex Vertex;
   typedef Operation_guard<Mesh, typename Projection::Function, Intersections> Guard;
   typedef Error_target<ConcurrencyTag, Mesh, typename Projection::Function> Error_of_mesh;
-  typedef Simultaneous_moves<Mesh> Moves;
+  typedef Local_operations<ConcurrencyTag, Embedding, Projection, Guard> Operations;
+  typedef Vertex_projector<ConcurrencyTag, Embedding, Projection, Guard> Projector;
 
   // Passes stop when next to nothing is left to do, which these only bound: a split halves an edge, a contraction shortens
   // none.
@@ -87,9 +82,8 @@ public:
     : m_mesh(mesh), m_embedding(embedding), m_projection(projection), m_parameters(parameters), m_diagonal(diagonal),
       m_visitor(visitor), m_interruption(interruption), m_result(result),
       m_guard(mesh, projection.function(), projection.unit(), intersections),
-      m_split(mesh, embedding, projection, curves, m_guard, interruption),
-      m_collapse(mesh, embedding, m_guard, interruption), m_flip(mesh, embedding, m_guard, interruption),
-      m_smooth(mesh, embedding, projection, curves, m_guard, interruption)
+      m_operations(mesh, embedding, projection, curves, m_guard, interruption, result),
+      m_projector(mesh, embedding, projection, m_guard, result)
   {
   }
 
@@ -108,6 +102,8 @@ public:
     m_largest_number_of_faces = target.number_of_faces();
     limit_number_of_faces(error_of_mesh().first_number_of_faces(), target);
   }
+
+  void project_input() { m_projector.project_input(m_interruption); }
 
   // `target` is up to date
   void run(Target_length target)
@@ -130,76 +126,22 @@ public:
       report(1);
     }
     m_result.target_edge_length = target.length();
-    project_exactly(all, m_interruption);
+    m_projector.project_exactly(m_interruption);
     if (m_interruption.is_requested()) // most of the vertices are exact already, and the caller waits
     {
       Interruption never;
-      project_exactly([&](const Vertex_index v) { return !m_projection.is_exact(m_mesh.point(v)); }, never);
+      m_projector.project_exactly([&](const Vertex_index v) { return !m_projection.is_exact(m_mesh.point(v)); }, never);
       return;
     }
     if (n > 0)
       flip(Flip_criterion::ANGLE);
     if (m_parameters.fit_to_surface)
-      fit();
+      m_projector.fit(m_interruption);
     if (m_parameters.error > 0)
       refine_to_error();
   }
 
-  // All vertices of the input onto the zero set but those that are fixed or stay on their polylines, and those where the mesh
-  // would fold: these have more attempts.
-  void project_input()
-  {
-    Moves moves = exact_projections(all, m_interruption);
-    m_guard.template revert_first<ConcurrencyTag>(moves, m_interruption);
-    moves.template accept<ConcurrencyTag>(m_mesh);
-    for (const Vertex_index v : m_mesh.vertices())
-      if (!moves.is_moved(v))
-      {
-        m_projection.update_normal(m_mesh.point(v));
-        m_embedding.place(m_mesh.point(v));
-        if (!m_mesh.point(v).is_on_curve && !m_mesh.point(v).is_fixed)
-          m_mesh.point(v).set_predicted();
-      }
-  }
-
 private:
-  static bool all(Vertex_index) { return true; }
-
-  // The same in the end; a vertex whose last way, from a rough projection to the exact one, would fold a face or make it
-  // intersect another one, if that counts, stays where it is.
-  template <typename IsChosen>
-  void project_exactly(const IsChosen& is_chosen, Interruption& interruption)
-  {
-    Moves moves = exact_projections(is_chosen, interruption);
-    m_guard.template revert<ConcurrencyTag>(moves, interruption);
-    if (interruption.is_requested())
-      return; // not all have been projected, or looked at
-    moves.template accept<ConcurrencyTag>(m_mesh);
-    for (const Vertex_index v : m_mesh.vertices())
-      if (is_chosen(v) && !moves.is_moved(v) && !m_mesh.point(v).is_on_curve && !m_mesh.point(v).is_fixed &&
-          !m_projection.is_on_surface(m_mesh.point(v)))
-        ++m_result.number_of_unprojected_vertices;
-  }
-
-  template <typename IsChosen>
-  Moves exact_projections(const IsChosen& is_chosen, Interruption& interruption) const
-  {
-    Moves moves(m_mesh);
-    moves.template propose<ConcurrencyTag>(
-        is_chosen,
-        [&](const Vertex_index v, Vertex& state)
-        {
-          if (state.is_on_curve || state.is_fixed)
-            m_projection.update_normal(state);
-          else
-            m_projection.project(state, 0.5 * mean_edge_length(v));
-          m_embedding.place(state);
-          return true;
-        },
-        interruption);
-    return moves;
-  }
-
   void reorder()
   {
     reorder_in_space<ConcurrencyTag>(m_mesh, m_interruption);
@@ -261,9 +203,9 @@ private:
     std::vector<char> is_old(vertex_capacity(m_mesh) + edges.size(), 0);
     for (const Vertex_index v : m_mesh.vertices())
       is_old[v] = 1;
-    apply_split(edges);
-    apply_flip(Flip_criterion::ANGLE);
-    project_exactly([&](const Vertex_index v) { return !is_old[v]; }, m_interruption);
+    m_operations.split(edges);
+    m_operations.flip(Flip_criterion::ANGLE);
+    m_projector.project_exactly([&](const Vertex_index v) { return !is_old[v]; }, m_interruption);
   }
 
   // of each face the longest in the embedding, the next if it could not be split; each once, in the order of the mesh
@@ -283,53 +225,6 @@ private:
     std::sort(edges.begin(), edges.end());
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     return edges;
-  }
-
-  // off the surface again, by least squares
-  void fit()
-  {
-    const std::size_t n = vertex_capacity(m_mesh);
-    std::vector<Vector> points(n, Vector::Zero()), normals(n, Vector::Zero());
-    std::vector<char> is_free(n, 0);
-    for (const Vertex_index v : m_mesh.vertices())
-    {
-      const Vertex& vertex = m_mesh.point(v);
-      points[v] = vertex.point;
-      normals[v] = m_projection.orientation() * vertex.normal;
-      is_free[v] = !vertex.is_on_curve && !vertex.is_fixed;
-    }
-    std::vector<Facet> facets;
-    for (const Face_index f : m_mesh.faces())
-    {
-      const Triangle t(m_mesh.halfedge(f), m_mesh);
-      facets.push_back(Facet{t.a, t.b, t.c});
-    }
-    Vertex_fitter<ConcurrencyTag, typename Projection::Function>(m_projection.function(), m_projection.unit())(
-        points, normals, is_free, facets);
-    Moves moves(m_mesh);
-    moves.template propose<ConcurrencyTag>([&](const Vertex_index v) { return bool(is_free[v]); },
-                                           [&](const Vertex_index v, Vertex& state)
-                                           {
-                                             state.point = points[v];
-                                             return true;
-                                           },
-                                           m_interruption);
-    m_guard.template revert<ConcurrencyTag>(moves, m_interruption);
-    if (!m_interruption.is_requested())
-      moves.template accept<ConcurrencyTag>(m_mesh);
-  }
-
-  // in space; the root mean square
-  double mean_edge_length(const Vertex_index v) const
-  {
-    double squared_sum = 0;
-    std::size_t degree = 0;
-    for (const Halfedge_index h : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
-    {
-      squared_sum += (m_mesh.point(m_mesh.source(h)).point - m_mesh.point(v).point).squaredNorm();
-      ++degree;
-    }
-    return std::sqrt(squared_sum / double(degree));
   }
 
   // the default scheme
@@ -387,7 +282,7 @@ private:
     for (int pass = 0; pass < maximum_number_of_split_passes && go_further(); ++pass)
     {
       const double room = (largest - double(m_mesh.number_of_faces())) / 2; // a split makes two faces of one
-      if (room < 1 || is_negligible(apply_split(m_parameters.split_ratio * length, std::size_t(room))))
+      if (room < 1 || is_negligible(m_operations.split(m_parameters.split_ratio * length, std::size_t(room))))
         break;
     }
   }
@@ -396,7 +291,7 @@ private:
   {
     for (int pass = 0; pass < maximum_number_of_collapse_passes && go_further(); ++pass)
     {
-      if (is_negligible(apply_collapse(m_parameters.collapse_ratio * length, m_parameters.split_ratio * length)))
+      if (is_negligible(m_operations.collapse(m_parameters.collapse_ratio * length, m_parameters.split_ratio * length)))
         break;
     }
   }
@@ -404,40 +299,13 @@ private:
   void flip(const Flip_criterion criterion)
   {
     if (go_further())
-      apply_flip(criterion);
+      m_operations.flip(criterion);
   }
 
   void smooth(const Smoothing_step kind = Smoothing_step::PROJECT)
   {
-    if (!go_further())
-      return;
-    const Duration duration(m_result.smoothing_seconds);
-    m_smooth(m_parameters.smoothing_ratio, kind);
-  }
-
-  // the operations themselves, counted and timed
-  template <typename... Arguments>
-  std::size_t apply_split(const Arguments&... arguments)
-  {
-    const Duration duration(m_result.split_seconds);
-    const std::size_t count = m_split(arguments...);
-    m_result.number_of_splits += count;
-    return count;
-  }
-
-  template <typename... Arguments>
-  std::size_t apply_collapse(const Arguments&... arguments)
-  {
-    const Duration duration(m_result.collapse_seconds);
-    const std::size_t count = m_collapse(arguments...);
-    m_result.number_of_collapses += count;
-    return count;
-  }
-
-  void apply_flip(const Flip_criterion criterion)
-  {
-    const Duration duration(m_result.flip_seconds);
-    m_result.number_of_flips += m_flip(criterion);
+    if (go_further())
+      m_operations.smooth(m_parameters.smoothing_ratio, kind);
   }
 
   unsigned int number_of_settling_iterations() const
@@ -471,9 +339,9 @@ private:
     {
       const double excess = double(m_mesh.number_of_faces()) - number_of_faces;
       if (excess >= 2)
-        apply_collapse(factor * length, factor * longest * length, std::size_t(excess / 2));
+        m_operations.collapse(factor * length, factor * longest * length, std::size_t(excess / 2));
       else if (excess <= -2)
-        apply_split(length / factor, std::size_t(-excess / 2));
+        m_operations.split(length / factor, std::size_t(-excess / 2));
       if (!is_settling())
         break;
     }
@@ -495,10 +363,8 @@ private:
   Interruption& m_interruption;
   Remeshing_result& m_result;
   Guard m_guard;
-  const Edge_splitter<ConcurrencyTag, Embedding, Projection, Guard> m_split;
-  const Edge_collapser<ConcurrencyTag, Embedding, Guard> m_collapse;
-  const Edge_flipper<ConcurrencyTag, Embedding, Guard> m_flip;
-  Vertex_smoother<ConcurrencyTag, Embedding, Projection, Guard> m_smooth;
+  Operations m_operations;
+  Projector m_projector;
   unsigned int m_iteration = 0;
   double m_length_factor = first_length_factor;
   double m_largest_number_of_faces = 0; // with an error as the target
