@@ -89,6 +89,21 @@ void test_moves()
                                 },
                                 never);
   CHECK(shift.template revert_folds<ConcurrencyTag>(never) == 0);
+
+  // two neighbours onto one point, where their faces have no height left, whether there are normals or not
+  for (const internal::Fold_test test : {internal::Fold_test::EDGES, internal::Fold_test::NORMALS_AND_EDGES})
+  {
+    internal::Simultaneous_moves<Working_mesh> meeting(mesh);
+    meeting.propose<ConcurrencyTag>([&](const Vertex_index v) { return v == at(3, 3) || v == at(4, 3) || v == at(6, 6); },
+                                    [](Vertex_index, Vertex& state)
+                                    {
+                                      state.point[0] = state.point[0] < 5 ? 3.5 : 6.25;
+                                      return true;
+                                    },
+                                    never);
+    CHECK(meeting.template revert_folds<ConcurrencyTag>(never, test) == 2);
+    CHECK(!meeting.is_moved(at(3, 3)) && !meeting.is_moved(at(4, 3)) && meeting.is_moved(at(6, 6)));
+  }
 }
 
 int main()

@@ -27,7 +27,7 @@ namespace internal {
 // what counts as a fold
 enum class Fold_test
 {
-  EDGES,            // where the vertices have no normals yet
+  EDGES,            // where the vertices have no normals yet; faces that lose their height fold, too
   NORMALS_AND_EDGES
 };
 
@@ -125,8 +125,7 @@ private:
           },
           256, interruption);
     };
-    if (test == Fold_test::NORMALS_AND_EDGES)
-      for_each_face([&](const Face_index f) { is_folded[f] = folds_over_normals(f, is_flat[f]); });
+    for_each_face([&](const Face_index f) { is_folded[f] = folds(f, test, is_flat[f]); });
     for_each_face(
         [&](const Face_index f)
         {
@@ -148,7 +147,7 @@ private:
   void add_if_folded(const Halfedge_index h, const Fold_test test, std::vector<Face_index>& faces) const
   {
     char is_flat = 0;
-    bool is_folded = test == Fold_test::NORMALS_AND_EDGES && folds_over_normals(m_mesh.face(h), is_flat);
+    bool is_folded = folds(m_mesh.face(h), test, is_flat);
     for (const Halfedge_index side : m_mesh.halfedges_around_face(h))
     {
       const Halfedge_index beyond = m_mesh.opposite(side);
@@ -159,6 +158,15 @@ private:
     }
     if (is_folded)
       faces.push_back(m_mesh.face(h));
+  }
+
+  // whether the moves fold the face itself; `is_flat` is as below, or not changed
+  bool folds(const Face_index f, const Fold_test test, char& is_flat) const
+  {
+    const Halfedge_index h = m_mesh.halfedge(f);
+    if (test == Fold_test::NORMALS_AND_EDGES)
+      return folds_over_normals(f, is_flat);
+    return moved_normal(h).isZero(0) && !face_normal(h, m_mesh).isZero(0);
   }
 
   // Whether the moves fold the face over the normals of its vertices. It is flat if it could not even fold over an edge with
