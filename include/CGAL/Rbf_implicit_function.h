@@ -32,7 +32,9 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 #include <type_traits>
@@ -193,7 +195,11 @@ public:
     m_diagnostics = complete(m_interpolant->diagnostics(), *sample, input_seconds);
   }
 
-  /// the value at `p`, in the unit of the coordinates
+  /*!
+  the value at `p`, in the unit of the coordinates
+
+  \throw std::invalid_argument here and in the functions below if a coordinate of `p` is not finite
+  */
   FT operator()(const Point_3& p) const { return FT(evaluate<0>(p).value / m_normalization.scale); }
 
   /// the gradient at `p`, outward, of length close to 1 near the surface
@@ -238,11 +244,31 @@ public:
   const Anisotropic_hde_remeshing::Rbf_diagnostics& diagnostics() const { return *m_diagnostics; }
 
 private:
+  static constexpr double reach = 1e6; // of the interpolant, in the size of the points
+
   template <int order>
   Jet<order> evaluate(const Point_3& p) const
   {
-    return m_interpolant->template evaluate<order>(
-        m_normalization({CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())}));
+    const Eigen::Vector3d point = Anisotropic_hde_remeshing::internal::to_vector(p);
+    const Eigen::Vector3d normalized = m_normalization(point);
+    if (!(normalized.squaredNorm() <= reach * reach))
+      return evaluate_far<order>(point, normalized);
+    return m_interpolant->template evaluate<order>(normalized);
+  }
+
+  // Beyond reach the function is the distance, which grows there by the way. How far the facets are is hard to tell apart, and at
+  // last the squares of coordinates overflow.
+  template <int order>
+  Jet<order> evaluate_far(const Eigen::Vector3d& point, const Eigen::Vector3d& normalized) const
+  {
+    if (!point.allFinite())
+      throw std::invalid_argument("the implicit function is asked for a point whose coordinates are not finite");
+    const double largest = (std::numeric_limits<double>::max)() / 2;
+    const Eigen::Vector3d way = normalized.cwiseMin(largest).cwiseMax(-largest);
+    const double length = way.stableNorm();
+    Jet<order> result = m_interpolant->template evaluate<order>(reach / length * way);
+    result.value += std::copysign(length - reach, result.value);
+    return result;
   }
 
   static Vector_3 to_vector_3(const Eigen::Vector3d& v) { return Vector_3(FT(v[0]), FT(v[1]), FT(v[2])); }

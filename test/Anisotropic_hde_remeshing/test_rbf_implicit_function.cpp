@@ -575,6 +575,18 @@ void test_far()
   std::cout << "far: difference to the distance " << difference << ", gradient " << length << std::endl;
   CHECK(difference <= 1e-12);
   CHECK(length <= 1e-12);
+  // so far that squares overflow, too: there all facets are as near as the centre
+  for (const double distance : {1e12, 1e30, 1e160, 1e300})
+    for (const Point_3& q : spiral_points(40))
+    {
+      const Kernel::Vector_3 direction = (q - CGAL::ORIGIN) / std::sqrt((q - CGAL::ORIGIN).squared_length());
+      const Point_3 p = CGAL::ORIGIN + distance * direction;
+      CHECK(std::abs(f(p) / distance - 1) <= 1e-12);
+      CHECK(f.gradient(p) * direction >= 1 - 1e-12);
+    }
+  const double no_number = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+  CHECK_THROWS(f(Point_3(0, no_number, 0)), std::invalid_argument);
+  CHECK_THROWS(f.gradient(Point_3(0, 0, infinity)), std::invalid_argument);
   // near, it is none
   CHECK(std::abs(f(CGAL::centroid(triangles[0]))) > 1e-4);
 }

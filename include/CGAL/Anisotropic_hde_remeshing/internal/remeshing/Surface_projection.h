@@ -103,7 +103,8 @@ public:
 private:
   Value_and_gradient evaluate(const Vector& p) const
   {
-    if (!p.allFinite()) // a step on faces whose curvature overflows, say: no function need bear that
+    // a step on faces whose curvature overflows, say: no function need bear that, nor squares that overflow
+    if (!std::isfinite(p.squaredNorm()) || !(m_unit * p).allFinite())
     {
       Value_and_gradient none;
       none.value = std::numeric_limits<double>::quiet_NaN();
