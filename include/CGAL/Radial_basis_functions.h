@@ -91,6 +91,8 @@ constexpr double smallest_squared_radius = (std::numeric_limits<double>::min)();
 /// @{
 
 /*!
+\ingroup PkgAnisotropicHdeRemeshingRef
+
 The polyharmonic spline \f$ \phi(r) = r^3 \f$, conditionally positive definite of order 2.
 
 It has no shape parameter. The interpolant is twice continuously differentiable, and of the kernels of this package it is
@@ -122,6 +124,8 @@ struct Polyharmonic_rbf
 };
 
 /*!
+\ingroup PkgAnisotropicHdeRemeshingRef
+
 The thin plate spline \f$ \phi(r) = r^2 \log r \f$, conditionally positive definite of order 2; the kernel of the paper's
 examples.
 
@@ -153,6 +157,8 @@ struct Thin_plate_rbf
 };
 
 /*!
+\ingroup PkgAnisotropicHdeRemeshingRef
+
 The Gaussian \f$ \phi(r) = e^{-(r/w)^2} \f$ with the width \f$ w \f$, positive definite.
 
 For well-spaced points only: on scans it oscillates between them.
@@ -163,7 +169,9 @@ public:
   static constexpr unsigned int order = 0;
   static constexpr double sign = 1;
 
-  /// \param width the shape parameter \f$ w \f$; \throw std::invalid_argument unless it is finite and positive
+  /// \param width the shape parameter \f$ w \f$
+  /// \param unit that of the width
+  /// \throw std::invalid_argument unless it is finite and positive
   explicit Gaussian_rbf(const double width = 1.4, const Rbf_length_unit unit = Rbf_length_unit::LOCAL_SPACING)
     : Rbf_shape_parameter("width", width, unit)
   {
@@ -188,6 +196,8 @@ public:
 };
 
 /*!
+\ingroup PkgAnisotropicHdeRemeshingRef
+
 The multiquadric \f$ \phi(r) = \sqrt{1 + (r/w)^2} \f$ with the width \f$ w \f$; \f$ -\phi \f$ is conditionally positive
 definite of order 1.
 */
@@ -197,7 +207,9 @@ public:
   static constexpr unsigned int order = 1;
   static constexpr double sign = -1;
 
-  /// \param width the shape parameter \f$ w \f$; \throw std::invalid_argument unless it is finite and positive
+  /// \param width the shape parameter \f$ w \f$
+  /// \param unit that of the width
+  /// \throw std::invalid_argument unless it is finite and positive
   explicit Multiquadric_rbf(const double width = 1.5, const Rbf_length_unit unit = Rbf_length_unit::LOCAL_SPACING)
     : Rbf_shape_parameter("width", width, unit)
   {
@@ -222,6 +234,8 @@ public:
 };
 
 /*!
+\ingroup PkgAnisotropicHdeRemeshingRef
+
 The inverse multiquadric \f$ \phi(r) = 1 / \sqrt{1 + (r/w)^2} \f$ with the width \f$ w \f$, positive definite.
 */
 class Inverse_multiquadric_rbf : public Anisotropic_hde_remeshing::internal::Rbf_shape_parameter
@@ -230,7 +244,9 @@ public:
   static constexpr unsigned int order = 0;
   static constexpr double sign = 1;
 
-  /// \param width the shape parameter \f$ w \f$; \throw std::invalid_argument unless it is finite and positive
+  /// \param width the shape parameter \f$ w \f$
+  /// \param unit that of the width
+  /// \throw std::invalid_argument unless it is finite and positive
   explicit Inverse_multiquadric_rbf(const double width = 2, const Rbf_length_unit unit = Rbf_length_unit::LOCAL_SPACING)
     : Rbf_shape_parameter("width", width, unit)
   {
@@ -255,6 +271,8 @@ public:
 };
 
 /*!
+\ingroup PkgAnisotropicHdeRemeshingRef
+
 Wendland's function \f$ \phi(r) = (1 - t)_+^4 (4t + 1), t = r/R \f$, positive definite, twice continuously differentiable and
 zero beyond the support radius \f$ R \f$.
 
@@ -267,7 +285,9 @@ public:
   static constexpr unsigned int order = 0;
   static constexpr double sign = 1;
 
-  /// \param support_radius the shape parameter \f$ R \f$; \throw std::invalid_argument unless it is finite and positive
+  /// \param support_radius the shape parameter \f$ R \f$
+  /// \param unit that of the radius
+  /// \throw std::invalid_argument unless it is finite and positive
   explicit Wendland_C2_rbf(const double support_radius = 10,
                            const Rbf_length_unit unit = Rbf_length_unit::LOCAL_SPACING)
     : Rbf_support(support_radius, unit)
@@ -298,6 +318,8 @@ public:
 };
 
 /*!
+\ingroup PkgAnisotropicHdeRemeshingRef
+
 Wendland's function \f$ \phi(r) = (1 - t)_+^6 (35t^2 + 18t + 3), t = r/R \f$, positive definite, four times continuously
 differentiable and zero beyond the support radius \f$ R \f$; see `Wendland_C2_rbf`.
 */
@@ -307,7 +329,9 @@ public:
   static constexpr unsigned int order = 0;
   static constexpr double sign = 1;
 
-  /// \param support_radius the shape parameter \f$ R \f$; \throw std::invalid_argument unless it is finite and positive
+  /// \param support_radius the shape parameter \f$ R \f$
+  /// \param unit that of the radius
+  /// \throw std::invalid_argument unless it is finite and positive
   explicit Wendland_C4_rbf(const double support_radius = 10,
                            const Rbf_length_unit unit = Rbf_length_unit::LOCAL_SPACING)
     : Rbf_support(support_radius, unit)
@@ -340,6 +364,8 @@ public:
 };
 
 /*!
+\ingroup PkgAnisotropicHdeRemeshingRef
+
 Wendland's function \f$ \phi(r) = (1 - t)_+^8 (32t^3 + 25t^2 + 8t + 1), t = r/R \f$, positive definite, six times continuously
 differentiable and zero beyond the support radius \f$ R \f$; see `Wendland_C2_rbf`.
 */
@@ -349,7 +375,9 @@ public:
   static constexpr unsigned int order = 0;
   static constexpr double sign = 1;
 
-  /// \param support_radius the shape parameter \f$ R \f$; \throw std::invalid_argument unless it is finite and positive
+  /// \param support_radius the shape parameter \f$ R \f$
+  /// \param unit that of the radius
+  /// \throw std::invalid_argument unless it is finite and positive
   explicit Wendland_C6_rbf(const double support_radius = 10,
                            const Rbf_length_unit unit = Rbf_length_unit::LOCAL_SPACING)
     : Rbf_support(support_radius, unit)

@@ -17,6 +17,8 @@
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 
+/// \ingroup PkgAnisotropicHdeRemeshingRef
+///
 /// the elements of a triangle mesh and how they hang together; isolated vertices are left out but counted
 struct Topology_measures
 {
@@ -32,6 +34,8 @@ struct Topology_measures
   double valence_6_share = 0;                  ///< of the interior vertices, those with 6 edges; 0 if there are none
 };
 
+/// \ingroup PkgAnisotropicHdeRemeshingRef
+///
 /// the shapes of the faces of a triangle mesh in space, and how they lie to each other. The aspect ratio of a face is \f$ q_T = R_T / (2 r_T) \f$, the
 /// circumradius over twice the inradius: 1 for an equilateral triangle, larger for any other.
 struct Shape_measures
@@ -44,6 +48,8 @@ struct Shape_measures
                                           ///< -0.8), of faces that are not needles of no height
 };
 
+/// \ingroup PkgAnisotropicHdeRemeshingRef
+///
 /// a triangle mesh in the embedding \f$ \Psi(x) = (x, \sigma n(x)) \f$ in \f$ R^6 \f$, with `n` the unit gradient of an
 /// implicit function. An edge has there the squared length \f$ |a-b|^2 + \sigma^2 |n_a-n_b|^2 \f$.
 struct Embedding_measures
@@ -58,6 +64,8 @@ struct Embedding_measures
   std::size_t number_of_folded_faces = 0; ///< faces turned against the function, see `measure_embedding()`
 };
 
+/// \ingroup PkgAnisotropicHdeRemeshingRef
+///
 /// distances of a triangle mesh to the zero set of an implicit function `f`, to first order: \f$ |f| / |\nabla f| \f$,
 /// in the unit of the mesh
 struct Zero_set_measures
@@ -69,6 +77,8 @@ struct Zero_set_measures
   std::size_t number_of_samples = 0; ///< points sampled on the faces
 };
 
+/// \ingroup PkgAnisotropicHdeRemeshingRef
+///
 /// distances between two triangle meshes, in their unit
 struct Distance_measures
 {
@@ -83,6 +93,8 @@ struct Distance_measures
   double max() const { return (std::max)(max_from_first, max_from_second); }
 };
 
+/// \ingroup PkgAnisotropicHdeRemeshingRef
+///
 /// how the stretched faces of a triangle mesh lie to the curvature of a surface, see `measure_alignment()`
 struct Alignment_measures
 {

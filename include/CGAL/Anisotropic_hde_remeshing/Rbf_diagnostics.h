@@ -16,6 +16,8 @@
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 
+/// \ingroup PkgAnisotropicHdeRemeshingRef
+///
 /// what `CGAL::Rbf_implicit_function` tells of its construction
 struct Rbf_diagnostics
 {

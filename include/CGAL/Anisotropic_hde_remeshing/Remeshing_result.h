@@ -16,6 +16,8 @@
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 
+/// \ingroup PkgAnisotropicHdeRemeshingRef
+///
 /// how many points each way of projecting onto the zero set has served, in the order in which they are tried
 struct Projection_counters
 {
@@ -24,6 +26,8 @@ struct Projection_counters
   std::size_t closest_point = 0; ///< the closest point of the input with its interpolated normal
 };
 
+/// \ingroup PkgAnisotropicHdeRemeshingRef
+///
 /// what decided on the number of faces
 enum class Target
 {
@@ -32,6 +36,8 @@ enum class Target
   APPROXIMATION_ERROR ///< the error
 };
 
+/// \ingroup PkgAnisotropicHdeRemeshingRef
+///
 /// what `CGAL::anisotropic_hde_remeshing()` did, and with which parameters where it chose them itself
 struct Remeshing_result
 {

@@ -14,6 +14,8 @@
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 
+/// \ingroup PkgAnisotropicHdeRemeshingRef
+///
 /// the order of the operations in `CGAL::anisotropic_hde_remeshing()`
 enum class Remeshing_scheme
 {

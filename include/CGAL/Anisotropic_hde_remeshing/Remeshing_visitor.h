@@ -16,6 +16,8 @@
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 
+/// \ingroup PkgAnisotropicHdeRemeshingRef
+///
 /// the stages of `CGAL::anisotropic_hde_remeshing()`, in the order in which they run
 enum class Stage
 {
@@ -25,6 +27,8 @@ enum class Stage
   OUTPUT             ///< the result is written into the mesh of the caller
 };
 
+/// \ingroup PkgAnisotropicHdeRemeshingRef
+///
 /// thrown by the constructor of `CGAL::Rbf_implicit_function` if the visitor that it was given stops it; no function is half built.
 /// `CGAL::anisotropic_hde_remeshing()` does not throw it: it returns.
 struct Interrupted : std::runtime_error
@@ -32,6 +36,8 @@ struct Interrupted : std::runtime_error
   Interrupted() : std::runtime_error("stopped by the visitor") {}
 };
 
+/// \ingroup PkgAnisotropicHdeRemeshingRef
+///
 /// the default visitor of `CGAL::anisotropic_hde_remeshing()`, a model of `RemeshingVisitor`: hears everything, does nothing, never
 /// stops the remeshing. Derive from it and hide the members that are needed.
 /// All calls come from the calling thread. A visitor that throws leaves the mesh as it was given.

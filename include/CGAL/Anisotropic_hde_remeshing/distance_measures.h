@@ -82,6 +82,8 @@ Rms_and_max rms_and_max_from(const Measured_mesh& mesh, const std::size_t number
 } // namespace internal
 
 /*!
+\ingroup PkgAnisotropicHdeRemeshingRef
+
 \brief measures the distances between two triangle meshes, both ways, at sampled points.
 
 The points sampled are spread evenly over the area, without random numbers: a second call gives the same result, as

@@ -172,6 +172,8 @@ double aspect_ratio(const Point_3& p, const Point_3& q, const Point_3& r)
 }
 
 /*!
+\ingroup PkgAnisotropicHdeRemeshingRef
+
 \brief counts the elements of a triangle mesh, its components and boundary loops.
 
 \tparam TriangleMesh a model of `VertexListGraph`, `EdgeListGraph`, `HalfedgeListGraph` and `FaceListGraph`
@@ -210,6 +212,8 @@ Topology_measures measure_topology(const TriangleMesh& tmesh, const NamedParamet
 }
 
 /*!
+\ingroup PkgAnisotropicHdeRemeshingRef
+
 \brief measures the aspect ratios of the faces of a triangle mesh, and counts its folded edges.
 
 \tparam TriangleMesh a model of `VertexListGraph`, `EdgeListGraph`, `HalfedgeListGraph` and `FaceListGraph`
@@ -249,6 +253,8 @@ Shape_measures measure_shape(const TriangleMesh& tmesh, const NamedParameters& n
 }
 
 /*!
+\ingroup PkgAnisotropicHdeRemeshingRef
+
 \brief measures a triangle mesh in the six-dimensional embedding by the unit normals of an implicit function.
 
 A face counts as folded if it is not degenerate and its normal has no positive scalar product with the sum of the unit

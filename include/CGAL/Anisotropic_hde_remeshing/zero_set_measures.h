@@ -23,6 +23,8 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 
 /*!
+\ingroup PkgAnisotropicHdeRemeshingRef
+
 \brief measures how far a triangle mesh is from the zero set of an implicit function.
 
 The points sampled on the faces are spread evenly over the area, without random numbers: a second call gives the same
