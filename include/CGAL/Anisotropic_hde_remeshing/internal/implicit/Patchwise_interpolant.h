@@ -14,6 +14,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/Rbf_diagnostics.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/Interruption.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Blending_tree.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Distance_at.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Off_surface_points.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Patch_check.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Patch_solver.h>
@@ -104,7 +105,8 @@ public:
   template <int order>
   Jet<order> evaluate(const Vector& p) const
   {
-    return m_tree.blend(p, [&](const std::size_t k) { return evaluate_patch<order>(m_patches[k], p); });
+    Distance_at distance(*m_distance, p);
+    return m_tree.blend(p, [&](const std::size_t k) { return evaluate_patch<order>(m_patches[k], distance); });
   }
 
   const Blending_tree& tree() const { return m_tree; }
@@ -204,8 +206,16 @@ private:
   std::size_t number_of_failures(const Places& places, const std::size_t k, const Patch& patch) const
   {
     const Patch_check check(*m_sample, *m_distance);
-    const auto jet = [&](const Vector& p) { return evaluate_patch<1>(patch, p); };
-    const auto value = [&](const Vector& p) { return evaluate_patch<0>(patch, p).value; };
+    const auto jet = [&](const Vector& p)
+    {
+      Distance_at distance(*m_distance, p);
+      return evaluate_patch<1>(patch, distance);
+    };
+    const auto value = [&](const Vector& p)
+    {
+      Distance_at distance(*m_distance, p);
+      return evaluate_patch<0>(patch, distance).value;
+    };
     std::size_t failures = 0;
     for (const std::size_t number : places[k])
       failures += check.failures(check.place(number), parity(number), jet, value);
@@ -244,15 +254,16 @@ private:
   }
 
   template <int order>
-  Jet<order> evaluate_patch(const Patch& patch, const Vector& p) const
+  Jet<order> evaluate_patch(const Patch& patch, Distance_at& distance) const
   {
     if (patch.is_on_fallback)
-      return constant_beyond_gradient<order>(m_distance->with_interpolated_normals(p));
+      return constant_beyond_gradient<order>(distance.with_interpolated_normals());
+    const Vector& p = distance.point();
     double squared_distance;
     const Jet<order> near = patch.interpolant.template evaluate<order>(p, squared_distance);
     if (squared_distance <= patch.begin_of_far * patch.begin_of_far)
       return near;
-    const Jet<order> far = constant_beyond_gradient<order>(m_distance->distance(p));
+    const Jet<order> far = constant_beyond_gradient<order>(distance.distance());
     // the smooth distance is two thirds of the true one at least
     if (squared_distance >= 2.25 * patch.end_of_far * patch.end_of_far)
       return far;

@@ -36,6 +36,8 @@ public:
 private:
   static constexpr int newton_steps = 8;
   static constexpr int bisection_steps = 60;
+  static constexpr double settled = 1e-4;   // of the distance that counts as exact: Newton's method ends
+  static constexpr double largest_jump = 10; // in the same, where a change of sign counts as a zero
 
 public:
   // Lengths: `exact_distance` to the zero set is reached by exact projections; `unit` of the coordinates, in that of the
@@ -140,26 +142,36 @@ private:
 
   bool newton(Vertex_state& state, const double trust_radius, const double distance) const
   {
-    Vector p = state.point;
+    const bool is_exact = distance <= m_exact_distance;
+    double best_distance = distance;
+    bool is_found = false;
+    const Vector start = state.point;
+    Vector p = start;
     for (int step = 0; step < newton_steps; ++step)
     {
       const Value_and_gradient at_p = evaluate(p);
       Vector normal;
       if (!std::isfinite(at_p.value) || !unit_vector(at_p.gradient, normal))
-        return false;
+        return is_found;
       const double signed_distance = at_p.value / at_p.gradient.norm();
-      p -= signed_distance * normal;
-      if (!((p - state.point).squaredNorm() <= trust_radius * trust_radius))
-        return false;
-      if (std::abs(signed_distance) <= distance)
+      const Vector next = p - signed_distance * normal;
+      if (!((next - start).squaredNorm() <= trust_radius * trust_radius))
+        return is_found;
+      if (std::abs(signed_distance) <= best_distance)
       {
-        state.point = p;
+        // A step that counts as exact is looked at, as the function need not be better there than its own noise.
+        state.point = is_exact ? p : next;
         state.normal = m_orientation * normal;
-        state.last_step = std::abs(signed_distance);
-        return true;
+        state.last_step = best_distance = std::abs(signed_distance);
+        is_found = true;
+        if (!is_exact || best_distance <= settled * m_exact_distance)
+          return true;
       }
+      else if (is_found)
+        return true; // it does not get better
+      p = next;
     }
-    return false;
+    return is_found;
   }
 
   // a change of sign within the trust radius on the line along the gradient of the start, then halved; what it finds must
@@ -187,9 +199,12 @@ private:
       (evaluate(state.point + middle * direction).value * start.value > 0 ? inner : outer) = middle;
     }
     const Vector p = state.point + outer * direction;
+    const Value_and_gradient at_p = evaluate(p);
     Vector normal;
-    if (!unit_vector(evaluate(p).gradient, normal) || !(normal.dot(start.gradient) > 0))
+    if (!unit_vector(at_p.gradient, normal) || !(normal.dot(start.gradient) > 0))
       return false;
+    if (!(std::abs(at_p.value) <= largest_jump * m_exact_distance * at_p.gradient.norm()))
+      return false; // the sign changes without a zero
     state.point = p;
     state.normal = m_orientation * normal;
     state.last_step = 0;
