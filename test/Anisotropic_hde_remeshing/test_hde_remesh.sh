@@ -145,6 +145,24 @@ check "their row" grep -Eq '^pairs of faces that intersect +0 +0$' stdout
 check "no new self-intersections" run 0 $sphere n.off --avoid-self-intersections --self-intersections $quick
 check "their row again" grep -Eq '^pairs of faces that intersect +0 +0$' stdout
 check "no folded edges" grep -Eq '^folded edges +0 +0$' stdout
+check "arrays in PLY" run 0 $sphere arrays.ply --arrays --faces 500 $quick
+check "of the vertices" grep -aq '^property double nx$' arrays.ply
+check "of the faces" grep -aq '^property double smallest_angle_6d$' arrays.ply
+check "it is read as any other" run 0 arrays.ply again.off $quick
+check "arrays in VTP" run 0 $sphere arrays.vtp --arrays --faces 500 --quiet $quick
+# a number a line, as many as there are points or faces
+numbers_in() { sed -n "/Name=\"$2\"/,/DataArray>/p" "$1" | grep -Ec '^[-+.0-9e]+( |$)'; }
+check "all points" [ "$(numbers_in arrays.vtp points)" -eq "$(sed -n 's/.*NumberOfPoints="\([0-9]*\)".*/\1/p' arrays.vtp)" ]
+for array in aspect_ratio smallest_angle_6d connectivity offsets; do
+  check "all faces: $array" [ "$(numbers_in arrays.vtp $array)" -eq "$(sed -n 's/.*NumberOfPolys="\([0-9]*\)".*/\1/p' arrays.vtp)" ]
+done
+check "VTP without arrays" run 0 $sphere plain.vtp --faces 500 $quick
+check "it has none" [ "$(grep -c aspect_ratio plain.vtp)" -eq 0 ]
+refuses 1 "only written" arrays.vtp precious.off
+refuses 2 "--arrays" $sphere precious.off --arrays
+refuses 2 "--report" $sphere precious.off --report precious.off
+refuses 2 "same file" $sphere out.off --report precious.json --json precious.json
+refuses 1 "no_folder" $sphere precious.off --report no_folder/page.html
 check "quiet" run 0 $sphere q.off --quiet $quick
 check "quiet is silent" [ ! -s stdout -a ! -s stderr ]
 check "one thread" run 0 $sphere threads_1.off --threads 1 $quick

@@ -28,10 +28,16 @@ Format format_of(const std::string& file_name)
     return Format::PLY;
   if (extension == ".stl")
     return Format::STL;
+  if (extension == ".vtp")
+    return Format::VTP;
   throw Failure(extension.empty()
-                    ? in_quotes(file_name) + " has no extension: .off, .obj, .ply or .stl tells the format"
+                    ? in_quotes(file_name) + " has no extension: .off, .obj, .ply, .stl or .vtp tells the format"
                     : in_quotes(file_name) + " has the unknown extension " + in_quotes(extension) +
-                          ": .off, .obj, .ply and .stl are known");
+                          ": .off, .obj, .ply, .stl and .vtp are known");
 }
+
+bool is_read(const Format format) { return format != Format::VTP; }
+
+bool holds_arrays(const Format format) { return format == Format::PLY || format == Format::VTP; }
 
 } // namespace hde_remesh

@@ -18,11 +18,18 @@ enum class Format
   OFF,
   OBJ,
   PLY,
-  STL
+  STL,
+  VTP
 };
 
 // the format that the extension of a file name stands for, in either case
 Format format_of(const std::string& file_name);
+
+// whether it is read, too
+bool is_read(Format format);
+
+// whether it holds arrays of numbers of vertices and faces
+bool holds_arrays(Format format);
 
 } // namespace hde_remesh
 

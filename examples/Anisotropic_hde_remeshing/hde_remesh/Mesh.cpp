@@ -217,6 +217,29 @@ Soup soup_of_mesh(const Mesh& mesh)
   return soup;
 }
 
+Mesh mesh_with_arrays(const Soup& soup)
+{
+  Mesh mesh;
+  std::vector<Mesh::Vertex_index> vertices;
+  for (const Point_3& p : soup.points)
+    vertices.push_back(mesh.add_vertex(p));
+  for (const std::vector<std::size_t>& f : soup.faces)
+    mesh.add_face(vertices[f[0]], vertices[f[1]], vertices[f[2]]);
+  for (const Array& array : soup.vertex_arrays)
+  {
+    auto property = mesh.add_property_map<Mesh::Vertex_index, double>(array.name).first;
+    for (const Mesh::Vertex_index v : mesh.vertices())
+      property[v] = array.values[v];
+  }
+  for (const Array& array : soup.face_arrays)
+  {
+    auto property = mesh.add_property_map<Mesh::Face_index, double>(array.name).first;
+    for (const Mesh::Face_index f : mesh.faces())
+      property[f] = array.values[f];
+  }
+  return mesh;
+}
+
 namespace {
 
 const char* name_of_field = "v:hde_remesh_field";

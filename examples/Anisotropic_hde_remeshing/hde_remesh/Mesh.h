@@ -38,6 +38,9 @@ Checked_mesh mesh_of_soup(const Soup& soup, const std::string& file_name);
 
 Soup soup_of_mesh(const Mesh& mesh);
 
+// the mesh of a soup that was made of one, with the arrays as properties
+Mesh mesh_with_arrays(const Soup& soup);
+
 // the vertex property of a mesh that a field comes from
 typedef Mesh::Property_map<Mesh::Vertex_index, double> Field;
 Field add_field(Mesh& mesh);

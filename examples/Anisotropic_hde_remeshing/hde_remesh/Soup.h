@@ -12,6 +12,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace hde_remesh {
@@ -20,11 +21,19 @@ typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef Kernel::Point_3 Point_3;
 typedef Kernel::Vector_3 Vector_3;
 
+// a number for every vertex or every face
+struct Array
+{
+  std::string name;
+  std::vector<double> values;
+};
+
 // what a mesh file holds, before anybody asks whether it is a mesh
 struct Soup
 {
   std::vector<Point_3> points;
   std::vector<std::vector<std::size_t>> faces;
+  std::vector<Array> vertex_arrays, face_arrays; // written to PLY and VTP; never read
 };
 
 } // namespace hde_remesh

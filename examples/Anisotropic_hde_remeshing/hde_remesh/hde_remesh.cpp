@@ -8,6 +8,7 @@
 
 // hde_remesh IN OUT: the package as a program. `hde_remesh --help` says what it does.
 
+#include "Element_figures.h"
 #include "Failure.h"
 #include "Format.h"
 #include "Report.h"
@@ -20,6 +21,7 @@
 #include "progress.h"
 #include "remesh.h"
 #include "repair.h"
+#include "report_page.h"
 #include "signals.h"
 
 #include <CGAL/assertions_behaviour.h>
@@ -49,16 +51,29 @@ void note(const Options& options, const std::string& text)
     std::cerr << "hde_remesh: note: " << text << std::endl;
 }
 
+// that a file which an option names, if it does, can be written and is neither IN nor OUT
+void check_file_beside(const char* option, const std::string& name, const Options& options)
+{
+  if (name.empty())
+    return;
+  if (name == options.input || name == options.output)
+    throw Failure(std::string(option) + " names the file " + in_quotes(name) + ", which is IN or OUT", STATUS_USAGE);
+  const Whole_file file(name);
+}
+
 // all that can be known to go wrong before the long computation
 void check_files(const Options& options)
 {
-  format_of(options.input);
-  format_of(options.output);
-  if (options.json == options.input || options.json == options.output)
-    throw Failure("--json names the file " + in_quotes(options.json) + ", which is IN or OUT", STATUS_USAGE);
-  const Whole_file output(options.output);
-  if (!options.json.empty() && options.json != "-")
-    const Whole_file json(options.json);
+  const Format input = format_of(options.input), output = format_of(options.output);
+  if (!is_read(input))
+    throw Failure("IN is " + in_quotes(options.input) + ": files of this format are only written");
+  if (options.arrays && !holds_arrays(output))
+    throw Failure("--arrays needs OUT to be a .ply or a .vtp file, not " + in_quotes(options.output), STATUS_USAGE);
+  const Whole_file file(options.output);
+  check_file_beside("--json", options.json == "-" ? "" : options.json, options);
+  check_file_beside("--report", options.report, options);
+  if (!options.report.empty() && options.report == options.json)
+    throw Failure("--report and --json name the same file " + in_quotes(options.json), STATUS_USAGE);
 }
 
 void read_field(const Options& options, Checked_mesh& input)
@@ -172,11 +187,11 @@ void describe(const Options& options, const Checked_mesh& input, const Sizes& si
   report.rbf = remeshed.rbf;
 }
 
-void write_json(const Report& report, const Options& options)
+void write_beside(const std::string& file_name, const std::string& text)
 {
   try
   {
-    Whole_file(options.json).write([&](std::ostream& stream) { stream << to_json(report); });
+    Whole_file(file_name).write([&](std::ostream& stream) { stream << text; });
   }
   catch (const Failure& failure)
   {
@@ -184,12 +199,29 @@ void write_json(const Report& report, const Options& options)
   }
 }
 
+void write_mesh(const Remeshed& remeshed, const Options& options)
+{
+  Soup soup = soup_of_mesh(remeshed.mesh);
+  if (options.arrays)
+    add_arrays(figures_of_elements(remeshed.mesh, remeshed.function, remeshed.result.sigma), soup);
+  write_soup(soup, options.output);
+  is_output_written() = 1;
+}
+
+void write_page(const Report& report, const Mesh& input, const Remeshed& remeshed, const Options& options)
+{
+  const double sigma = remeshed.result.sigma;
+  const Measured_elements before{input, figures_of_elements(input, remeshed.function, sigma)},
+      after{remeshed.mesh, figures_of_elements(remeshed.mesh, remeshed.function, sigma)};
+  write_beside(options.report, report_page(report, options.command_line, before, after));
+}
+
 void print(const Report& report, const Options& options)
 {
   if (options.json == "-")
     std::cout << to_json(report);
   else if (!options.json.empty())
-    write_json(report, options);
+    write_beside(options.json, to_json(report));
   if (!options.quiet && options.json != "-")
     print_table(report, std::cout);
   if (!std::cout.flush())
@@ -222,14 +254,15 @@ void run(const Options& options)
 
   stopwatch.lap();
   progress.stage("writing");
-  write_soup(soup_of_mesh(remeshed.mesh), options.output);
-  is_output_written() = 1;
+  write_mesh(remeshed, options);
   end_stage("output", remeshed.result.output_seconds + stopwatch.lap());
 
   progress.stage("measuring");
   describe(options, input, sizes, remeshed, report);
   measure_all(input.mesh, remeshed, options, report);
   end_stage("measuring", stopwatch.lap());
+  if (!options.report.empty())
+    write_page(report, input.mesh, remeshed, options);
   progress.clear();
   print(report, options);
 }

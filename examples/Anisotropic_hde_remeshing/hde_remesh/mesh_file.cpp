@@ -9,8 +9,10 @@
 #include "mesh_file.h"
 #include "Failure.h"
 #include "Format.h"
+#include "Mesh.h"
 #include "Whole_file.h"
 #include "unreadable.h"
+#include "vtp_file.h"
 
 #include <CGAL/IO/OBJ.h>
 #include <CGAL/IO/OFF.h>
@@ -62,6 +64,8 @@ bool parse(std::istream& stream, const Format format, Soup& soup)
   case Format::STL:
     CGAL::IO::set_binary_mode(stream);
     return CGAL::IO::read_STL(stream, soup.points, soup.faces, np);
+  case Format::VTP:
+    break;
   }
   return false;
 }
@@ -91,11 +95,17 @@ void write_as(std::ostream& stream, const Format format, const Soup& soup)
     break;
   case Format::PLY:
     CGAL::IO::set_binary_mode(stream);
-    is_written = CGAL::IO::write_PLY(stream, soup.points, soup.faces, np);
+    is_written = soup.vertex_arrays.empty() && soup.face_arrays.empty()
+                     ? CGAL::IO::write_PLY(stream, soup.points, soup.faces, np)
+                     : CGAL::IO::write_PLY(stream, mesh_with_arrays(soup), np);
     break;
   case Format::STL:
     CGAL::IO::set_binary_mode(stream);
     is_written = CGAL::IO::write_STL(stream, soup.points, soup.faces, np);
+    break;
+  case Format::VTP:
+    write_vtp(soup, stream);
+    is_written = bool(stream);
     break;
   }
   if (!is_written)
@@ -107,6 +117,8 @@ void write_as(std::ostream& stream, const Format format, const Soup& soup)
 Soup read_soup(const std::string& file_name)
 {
   const Format format = format_of(file_name);
+  if (!is_read(format))
+    throw Failure("cannot read " + in_quotes(file_name) + ": files of this format are only written");
   std::string text = read_whole(file_name);
   const std::string problem = problem_of_numbers(text, format);
   if (!problem.empty())

@@ -36,8 +36,8 @@ const char* help_header()
 
 const char* help_footer()
 {
-  return "Formats: OFF, OBJ, PLY and STL, by the extension of the file name. PLY and STL are written\n"
-         "binary; STL keeps 7 digits only.\n"
+  return "Formats: OFF, OBJ, PLY and STL, by the extension of the file name, and VTP for OUT only. PLY and\n"
+         "STL are written binary; STL keeps 7 digits only.\n"
          "Units: lengths are in the unit of the mesh, but --sigma and --error are fractions of the\n"
          "diagonal D of the bounding box of IN. A larger sigma gives longer, thinner triangles along\n"
          "the bends; 0 gives triangles of equal sides everywhere. Useful values of --sigma are .005 to\n"
@@ -48,6 +48,7 @@ const char* help_footer()
          "  hde_remesh part.stl out.obj --vertices 5000 --json out.json\n"
          "  hde_remesh scan.obj out.off --length .5 --scheme paper\n"
          "  hde_remesh bunny.off out.off --error .001            within a thousandth of D\n"
+         "  hde_remesh bunny.off out.vtp --arrays --report out.html\n"
          "  hde_remesh part.stl out.stl --metric 2 --faces 5000 --fit\n\n"
          "Exit status: 0 done; 1 the input, a value or the output cannot be used; 2 the command line\n"
          "cannot be understood; 130 cancelled by Ctrl-C. OUT and FILE are written whole or not at all:\n"
@@ -167,6 +168,14 @@ void add_report_options(CLI::App& app, Options& o)
                  "write the table to FILE as JSON; - writes it to the standard output, without the table")
       ->type_name("FILE")
       ->group(group);
+  app.add_option("--report", o.report,
+                 "write a page of HTML to FILE: the table, histograms and both meshes, to be turned in a browser")
+      ->type_name("FILE")
+      ->group(group);
+  app.add_flag("--arrays", o.arrays,
+               "write figures of each triangle and vertex into OUT, which must be PLY or VTP: aspect ratio,\n"
+               "least 6D angle, distance to the surface, normal")
+      ->group(group);
   app.add_flag("--self-intersections", o.self_intersections,
                "count the pairs of triangles that intersect, before and after")
       ->group(group);
@@ -231,6 +240,29 @@ void check_values(const Options& o)
   require_count("--threads", o.threads);
 }
 
+// words that a shell would not take as they are in quotes
+std::string command_line(const int argc, char** argv)
+{
+  std::string result = "hde_remesh";
+  for (int i = 1; i < argc; ++i)
+  {
+    const std::string word = argv[i];
+    const bool is_plain = !word.empty() && word.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
+                                                                  "0123456789_./,:=+-") == std::string::npos;
+    result += ' ';
+    if (is_plain)
+      result += word;
+    else
+    {
+      result += '\'';
+      for (const char c : word)
+        result += c == '\'' ? std::string("'\\''") : std::string(1, c);
+      result += '\'';
+    }
+  }
+  return result;
+}
+
 } // namespace
 
 std::string version_text()
@@ -247,6 +279,7 @@ std::string version_text()
 std::optional<Options> read_command_line(const int argc, char** argv)
 {
   Options o;
+  o.command_line = command_line(argc, argv);
   CLI::App app(help_header(), "hde_remesh");
   app.footer(help_footer());
   app.set_version_flag("--version", version_text());

@@ -17,6 +17,7 @@ namespace hde_remesh {
 // The command line. What is not given stays empty: the library has the default.
 struct Options
 {
+  std::string command_line; // as a shell would read it
   std::string input, output;
   std::optional<double> sigma, absolute_sigma; // a fraction of the diagonal; a length
   bool adaptive_sigma = false;
@@ -34,7 +35,8 @@ struct Options
   std::optional<double> smoothing_ratio, collapse_ratio, split_ratio;
   std::string scheme = "default";
   std::optional<long long> threads;
-  std::string json;
+  std::string json, report;
+  bool arrays = false;
   bool repair = false;
   bool self_intersections = false, no_distance = false, quiet = false;
 };

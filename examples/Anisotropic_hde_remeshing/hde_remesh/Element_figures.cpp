@@ -1,0 +1,89 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+#include "Element_figures.h"
+
+#include <CGAL/Anisotropic_hde_remeshing/quality_measures.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace hde_remesh {
+
+namespace {
+
+// to first order
+double distance(const Function_view& function, const Point_3& p)
+{
+  const auto [value, gradient] = function.value_and_gradient(p);
+  const double slope = std::sqrt(gradient.squared_length());
+  return slope > 0 ? std::abs(value) / slope : std::abs(value);
+}
+
+// the least angle of a triangle with sides of these squared lengths, opposite to the shortest one
+double smallest_angle(std::array<double, 3> squared_lengths)
+{
+  std::sort(squared_lengths.begin(), squared_lengths.end());
+  const auto [a, b, c] = squared_lengths;
+  if (!(a > 0))
+    return 0;
+  const double cosine = (b + c - a) / (2 * std::sqrt(b) * std::sqrt(c));
+  return std::acos((std::max)(-1., (std::min)(1., cosine))) * 180 / CGAL_PI;
+}
+
+} // namespace
+
+Element_figures figures_of_elements(const Mesh& mesh, const Function_view& function, const double sigma)
+{
+  Element_figures figures;
+  std::vector<std::size_t> numbers(mesh.num_vertices()); // removed ones included
+  for (const Mesh::Vertex_index v : mesh.vertices())
+  {
+    numbers[v] = figures.normals.size();
+    const Vector_3 gradient = function.gradient(mesh.point(v));
+    const double slope = std::sqrt(gradient.squared_length());
+    figures.normals.push_back(slope > 0 ? gradient / slope : Vector_3(0, 0, 0));
+    figures.vertex_distances.push_back(distance(function, mesh.point(v)));
+  }
+  const auto squared_length = [&](const Mesh::Halfedge_index h)
+  {
+    const Mesh::Vertex_index a = mesh.source(h), b = mesh.target(h);
+    return CGAL::squared_distance(mesh.point(a), mesh.point(b)) +
+           sigma * sigma * (figures.normals[numbers[a]] - figures.normals[numbers[b]]).squared_length();
+  };
+  for (const Mesh::Edge_index e : mesh.edges())
+    figures.edge_lengths.push_back(std::sqrt(squared_length(mesh.halfedge(e))));
+  for (const Mesh::Face_index f : mesh.faces())
+  {
+    const Mesh::Halfedge_index h = mesh.halfedge(f), g = mesh.next(h), k = mesh.next(g);
+    const Point_3 &a = mesh.point(mesh.target(h)), &b = mesh.point(mesh.target(g)), &c = mesh.point(mesh.target(k));
+    figures.aspect_ratios.push_back(CGAL::Anisotropic_hde_remeshing::aspect_ratio(a, b, c));
+    figures.smallest_angles.push_back(smallest_angle({squared_length(h), squared_length(g), squared_length(k)}));
+    figures.face_distances.push_back(distance(function, CGAL::centroid(a, b, c)));
+  }
+  return figures;
+}
+
+void add_arrays(const Element_figures& figures, Soup& soup)
+{
+  Array x{"nx", {}}, y{"ny", {}}, z{"nz", {}};
+  for (const Vector_3& normal : figures.normals)
+  {
+    x.values.push_back(normal.x());
+    y.values.push_back(normal.y());
+    z.values.push_back(normal.z());
+  }
+  soup.vertex_arrays = {x, y, z, {"distance", figures.vertex_distances}};
+  soup.face_arrays = {{"aspect_ratio", figures.aspect_ratios},
+                      {"smallest_angle_6d", figures.smallest_angles},
+                      {"distance", figures.face_distances}};
+}
+
+} // namespace hde_remesh
