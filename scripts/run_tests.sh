@@ -22,7 +22,7 @@ jobs=${JOBS:-2}
 instrumented=${INSTRUMENTED:-ON}
 
 install_packages
-install_missing doxygen libjs-mathjax chromium
+install_missing doxygen libjs-mathjax chromium clang-format
 [[ $instrumented == OFF ]] || install_missing clang valgrind
 unpack_cgal_data "$build_dir"
 cmake -Wno-dev -S . -B "$build_dir" -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=ON \

@@ -77,9 +77,10 @@ int main()
 
   // the mean distance of as many faces: a metric of its own, and vertices off the surface
   Mesh fitted = coarse_torus(40, 12);
-  CGAL::anisotropic_hde_remeshing<Tag>(
-      fitted, Torus(),
-      CGAL::parameters::embedding(Hde::Curvature_metric(2)).number_of_target_faces(mesh.number_of_faces()).fit_to_surface(true));
+  CGAL::anisotropic_hde_remeshing<Tag>(fitted, Torus(),
+                                       CGAL::parameters::embedding(Hde::Curvature_metric(2))
+                                           .number_of_target_faces(mesh.number_of_faces())
+                                           .fit_to_surface(true));
   std::cout << "root mean square " << Hde::measure_distance_to_zero_set(mesh, Torus()).face_rms << ", fitted "
             << Hde::measure_distance_to_zero_set(fitted, Torus()).face_rms << std::endl;
   return result.approximation_error <= error ? 0 : 1;

@@ -71,8 +71,8 @@ int main(int argc, char* argv[])
   const Gradients gradients(normal, grid);
   std::vector<Point> vertices;
   std::vector<std::vector<std::size_t>> triangles;
-  CGAL::Isosurfacing::dual_contouring<CGAL::Parallel_if_available_tag>(Domain(grid, values, gradients), 0, vertices,
-                                                                       triangles, parameters::constrain_to_cell(true));
+  CGAL::Isosurfacing::dual_contouring<CGAL::Parallel_if_available_tag>(Domain(grid, values, gradients), 0, vertices, triangles,
+                                                                       parameters::constrain_to_cell(true));
   // four triangles may meet in an edge: they are taken apart, and stitched in pairs
   Mesh mesh;
   PMP::orient_polygon_soup(vertices, triangles);

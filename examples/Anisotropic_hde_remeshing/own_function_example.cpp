@@ -44,13 +44,13 @@ int main()
     mesh.point(v) = Kernel::Point_3(p.x(), 2 * p.y(), 5 * p.z());
   }
 
-  CGAL::anisotropic_hde_remeshing<CGAL::Parallel_if_available_tag>(
-      mesh, Ellipsoid(), CGAL::parameters::sigma(1.6).number_of_target_faces(10000));
+  CGAL::anisotropic_hde_remeshing<CGAL::Parallel_if_available_tag>(mesh, Ellipsoid(),
+                                                                   CGAL::parameters::sigma(1.6).number_of_target_faces(10000));
 
   double largest = 0;
   for (const Mesh::Vertex_index v : mesh.vertices())
     largest = (std::max)(largest, std::abs(Ellipsoid()(mesh.point(v))));
-  std::cout << mesh.number_of_faces() << " faces, written to ellipsoid.off; the function at their vertices: at most "
-            << largest << std::endl;
+  std::cout << mesh.number_of_faces() << " faces, written to ellipsoid.off; the function at their vertices: at most " << largest
+            << std::endl;
   return CGAL::IO::write_polygon_mesh("ellipsoid.off", mesh, CGAL::parameters::stream_precision(17)) ? 0 : 1;
 }

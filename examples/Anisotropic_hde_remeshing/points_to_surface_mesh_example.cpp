@@ -52,8 +52,8 @@ int main(int argc, char* argv[])
   const double facet_size = 0.04 * radius, facet_distance = 0.002 * radius, bisection_error = 1e-5;
   Triangulation triangulation;
   Complex complex(triangulation);
-  CGAL::make_surface_mesh(complex, Surface(f, f.bounding_sphere(), bisection_error),
-                          Criteria(25, facet_size, facet_distance), CGAL::Manifold_tag());
+  CGAL::make_surface_mesh(complex, Surface(f, f.bounding_sphere(), bisection_error), Criteria(25, facet_size, facet_distance),
+                          CGAL::Manifold_tag());
   Mesh mesh;
   CGAL::facets_in_complex_2_to_triangle_mesh(complex, mesh);
   if (!CGAL::IO::write_polygon_mesh("surface_of_points.off", mesh, CGAL::parameters::stream_precision(17)))
@@ -68,7 +68,7 @@ int main(int argc, char* argv[])
             << (CGAL::is_closed(mesh) ? " closed" : " open") << " component(s), written to surface_of_points.off.\n"
             << "In radii of the bounding sphere: the farthest point is " << from_points / radius
             << " away from the surface, the surface at most " << to_points / radius << " from the points." << std::endl;
-  const bool is_good = CGAL::is_closed(mesh) && number_of_components == 1 && from_points < 5 * facet_distance &&
-                       to_points < 0.1 * radius;
+  const bool is_good =
+      CGAL::is_closed(mesh) && number_of_components == 1 && from_points < 5 * facet_distance && to_points < 0.1 * radius;
   return is_good ? EXIT_SUCCESS : EXIT_FAILURE;
 }

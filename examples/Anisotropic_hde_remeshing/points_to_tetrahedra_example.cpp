@@ -77,7 +77,7 @@ int main(int argc, char* argv[])
             << (CGAL::is_closed(mesh) ? " closed" : " open") << " component(s), written to tetrahedra_of_points.mesh.\n"
             << "In radii of the bounding sphere: the farthest point is " << from_points / radius
             << " away from the surface, the surface at most " << to_points / radius << " from the points." << std::endl;
-  const bool is_good = CGAL::is_closed(mesh) && number_of_components == 1 && from_points < 5 * facet_distance &&
-                       to_points < 0.1 * radius;
+  const bool is_good =
+      CGAL::is_closed(mesh) && number_of_components == 1 && from_points < 5 * facet_distance && to_points < 0.1 * radius;
   return is_good ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -35,10 +35,7 @@ struct Sphere
 };
 
 // it changes from -1 to 1 near the plane z = 0.2
-double front(const Point_3& p)
-{
-  return std::tanh(20 * (p.z() - 0.2));
-}
+double front(const Point_3& p) { return std::tanh(20 * (p.z() - 0.2)); }
 
 int main()
 {

@@ -288,8 +288,7 @@ public:
   /// \param support_radius the shape parameter \f$ R \f$
   /// \param unit that of the radius
   /// \throw std::invalid_argument unless it is finite and positive
-  explicit Wendland_C2_rbf(const double support_radius = 10,
-                           const Rbf_length_unit unit = Rbf_length_unit::LOCAL_SPACING)
+  explicit Wendland_C2_rbf(const double support_radius = 10, const Rbf_length_unit unit = Rbf_length_unit::LOCAL_SPACING)
     : Rbf_support(support_radius, unit)
   {
   }
@@ -332,8 +331,7 @@ public:
   /// \param support_radius the shape parameter \f$ R \f$
   /// \param unit that of the radius
   /// \throw std::invalid_argument unless it is finite and positive
-  explicit Wendland_C4_rbf(const double support_radius = 10,
-                           const Rbf_length_unit unit = Rbf_length_unit::LOCAL_SPACING)
+  explicit Wendland_C4_rbf(const double support_radius = 10, const Rbf_length_unit unit = Rbf_length_unit::LOCAL_SPACING)
     : Rbf_support(support_radius, unit)
   {
   }
@@ -378,8 +376,7 @@ public:
   /// \param support_radius the shape parameter \f$ R \f$
   /// \param unit that of the radius
   /// \throw std::invalid_argument unless it is finite and positive
-  explicit Wendland_C6_rbf(const double support_radius = 10,
-                           const Rbf_length_unit unit = Rbf_length_unit::LOCAL_SPACING)
+  explicit Wendland_C6_rbf(const double support_radius = 10, const Rbf_length_unit unit = Rbf_length_unit::LOCAL_SPACING)
     : Rbf_support(support_radius, unit)
   {
   }

@@ -21,8 +21,8 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Point_distance.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/sample_mesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/sample_points.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/type_traits.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/named_parameters.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/type_traits.h>
 #include <CGAL/Radial_basis_functions.h>
 
 #include <CGAL/Real_timer.h>
@@ -77,8 +77,7 @@ that does not depend on the number of points but for the depth of the tree of pa
 
 \cgalModels `ImplicitFunctionWithGradient`, hence `ImplicitFunction`
 */
-template <typename GeomTraits, typename RadialFunction = Polyharmonic_rbf,
-          typename ConcurrencyTag = Parallel_if_available_tag>
+template <typename GeomTraits, typename RadialFunction = Polyharmonic_rbf, typename ConcurrencyTag = Parallel_if_available_tag>
 class Rbf_implicit_function
 {
   typedef Anisotropic_hde_remeshing::internal::Patchwise_interpolant<RadialFunction, ConcurrencyTag> Interpolant;
@@ -281,22 +280,20 @@ private:
     using parameters::is_default_parameter;
     Interpolation_parameters result;
     if constexpr (!is_default_parameter<NamedParameters, internal_np::number_of_patches_t>::value)
-      result.number_of_patches =
-          checked_count("number_of_patches", get_parameter(np, internal_np::number_of_patches));
+      result.number_of_patches = checked_count("number_of_patches", get_parameter(np, internal_np::number_of_patches));
     if constexpr (!is_default_parameter<NamedParameters, internal_np::patch_overlap_t>::value)
-      result.patch_overlap = checked_not_negative(
-          "patch_overlap", CGAL::to_double(get_parameter(np, internal_np::patch_overlap)));
+      result.patch_overlap =
+          checked_not_negative("patch_overlap", CGAL::to_double(get_parameter(np, internal_np::patch_overlap)));
     if constexpr (!is_default_parameter<NamedParameters, internal_np::offset_distance_t>::value)
       result.absolute_offset =
           checked_positive("offset_distance", CGAL::to_double(get_parameter(np, internal_np::offset_distance)));
     if constexpr (!is_default_parameter<NamedParameters, internal_np::relative_offset_distance_t>::value)
-      result.relative_offset = checked_positive(
-          "relative_offset_distance", CGAL::to_double(get_parameter(np, internal_np::relative_offset_distance)));
+      result.relative_offset = checked_positive("relative_offset_distance",
+                                                CGAL::to_double(get_parameter(np, internal_np::relative_offset_distance)));
     if constexpr (!is_default_parameter<NamedParameters, internal_np::two_sided_offsets_t>::value)
       result.offsets_on_both_sides = get_parameter(np, internal_np::two_sided_offsets);
     if constexpr (!is_default_parameter<NamedParameters, internal_np::smoothing_t>::value)
-      result.smoothing =
-          checked_not_negative("smoothing", CGAL::to_double(get_parameter(np, internal_np::smoothing)));
+      result.smoothing = checked_not_negative("smoothing", CGAL::to_double(get_parameter(np, internal_np::smoothing)));
     return result;
   }
 
@@ -307,8 +304,7 @@ private:
     using parameters::choose_parameter;
     using parameters::get_parameter;
     return Anisotropic_hde_remeshing::internal::sample_mesh(
-        tmesh,
-        choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tmesh)),
+        tmesh, choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tmesh)),
         get_parameter(np, internal_np::vertex_normal_map), interruption);
   }
 
@@ -382,9 +378,8 @@ private:
     diagnostics.number_of_points = sample.size();
     diagnostics.number_of_isolated_vertices = sample.number_of_isolated_vertices;
     diagnostics.number_of_duplicate_points = sample.number_of_duplicate_points;
-    diagnostics.number_of_points_without_normal =
-        std::size_t(std::count_if(sample.normals.begin(), sample.normals.end(),
-                                  [](const Eigen::Vector3d& normal) { return normal.isZero(0); }));
+    diagnostics.number_of_points_without_normal = std::size_t(std::count_if(
+        sample.normals.begin(), sample.normals.end(), [](const Eigen::Vector3d& normal) { return normal.isZero(0); }));
     diagnostics.worst_value_residual /= m_normalization.scale;
     diagnostics.input_seconds = input_seconds;
     return std::make_shared<const Anisotropic_hde_remeshing::Rbf_diagnostics>(diagnostics);

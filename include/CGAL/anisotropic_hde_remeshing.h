@@ -248,9 +248,8 @@ descriptors; if none are given, all elements are replaced: descriptors become in
 template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename Function,
           typename NamedParameters = parameters::Default_named_parameters,
           typename = std::enable_if_t<!Anisotropic_hde_remeshing::internal::is_face_range<TriangleMesh>>>
-Anisotropic_hde_remeshing::Remeshing_result
-anisotropic_hde_remeshing(TriangleMesh& tmesh, const Function& function,
-                          const NamedParameters& np = parameters::default_values())
+Anisotropic_hde_remeshing::Remeshing_result anisotropic_hde_remeshing(TriangleMesh& tmesh, const Function& function,
+                                                                      const NamedParameters& np = parameters::default_values())
 {
   return Anisotropic_hde_remeshing::internal::remesh_faces<ConcurrencyTag>(faces(tmesh), tmesh, function, true, np);
 }
@@ -263,8 +262,8 @@ given, too: `number_of_patches`, `patch_overlap`, `offset_distance`, `vertex_nor
 selects the kernel.
 */
 template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename T, typename Tag, typename Base>
-Anisotropic_hde_remeshing::Remeshing_result
-anisotropic_hde_remeshing(TriangleMesh& tmesh, const Named_function_parameters<T, Tag, Base>& np)
+Anisotropic_hde_remeshing::Remeshing_result anisotropic_hde_remeshing(TriangleMesh& tmesh,
+                                                                      const Named_function_parameters<T, Tag, Base>& np)
 {
   return Anisotropic_hde_remeshing::internal::remesh_faces_on_smooth_surface<ConcurrencyTag>(faces(tmesh), tmesh, true, np);
 }
@@ -291,9 +290,9 @@ remeshes some faces of a mesh only. All else is untouched and keeps its descript
 template <typename ConcurrencyTag = Sequential_tag, typename FaceRange, typename TriangleMesh, typename Function,
           typename NamedParameters = parameters::Default_named_parameters,
           typename = std::enable_if_t<Anisotropic_hde_remeshing::internal::is_face_range<FaceRange>>>
-Anisotropic_hde_remeshing::Remeshing_result
-anisotropic_hde_remeshing(const FaceRange& faces, TriangleMesh& tmesh, const Function& function,
-                          const NamedParameters& np = parameters::default_values())
+Anisotropic_hde_remeshing::Remeshing_result anisotropic_hde_remeshing(const FaceRange& faces, TriangleMesh& tmesh,
+                                                                      const Function& function,
+                                                                      const NamedParameters& np = parameters::default_values())
 {
   return Anisotropic_hde_remeshing::internal::remesh_faces<ConcurrencyTag>(faces, tmesh, function, false, np);
 }
@@ -305,8 +304,8 @@ remeshes some faces of a mesh only, on the smooth surface that `Rbf_implicit_fun
 */
 template <typename ConcurrencyTag = Sequential_tag, typename FaceRange, typename TriangleMesh, typename T, typename Tag,
           typename Base, typename = std::enable_if_t<Anisotropic_hde_remeshing::internal::is_face_range<FaceRange>>>
-Anisotropic_hde_remeshing::Remeshing_result
-anisotropic_hde_remeshing(const FaceRange& faces, TriangleMesh& tmesh, const Named_function_parameters<T, Tag, Base>& np)
+Anisotropic_hde_remeshing::Remeshing_result anisotropic_hde_remeshing(const FaceRange& faces, TriangleMesh& tmesh,
+                                                                      const Named_function_parameters<T, Tag, Base>& np)
 {
   return Anisotropic_hde_remeshing::internal::remesh_faces_on_smooth_surface<ConcurrencyTag>(faces, tmesh, false, np);
 }

@@ -25,10 +25,10 @@
 
 namespace awkward_shapes {
 
+using shapes::pi;
 using shapes::Point_3;
 using shapes::Soup;
 using shapes::Vector_3;
-using shapes::pi;
 
 inline void append(Soup& soup, const Soup& other, const Vector_3& shift = Vector_3(0, 0, 0), const double scale = 1)
 {
@@ -230,10 +230,7 @@ inline Soup sphere_without_thickness()
   return soup;
 }
 
-inline Soup triangle()
-{
-  return Soup{{Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0)}, {{0, 1, 2}}};
-}
+inline Soup triangle() { return Soup{{Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0)}, {{0, 1, 2}}}; }
 
 // by name
 inline std::map<std::string, std::function<Soup()>> all()
@@ -265,7 +262,9 @@ inline std::map<std::string, std::function<Soup()>> all()
           {"sphere-with-nan", [=] { return sphere_with_point(Point_3(nan_value, 0, 0), false); }},
           {"sphere-with-infinity", [=] { return sphere_with_point(Point_3(0, -infinity, 0), false); }},
           {"triangle", triangle},
-          {"no-faces", [] { return Soup{{Point_3(0, 0, 0)}, {}}; }}};
+          {"no-faces", [] {
+             return Soup{{Point_3(0, 0, 0)}, {}};
+           }}};
 }
 
 } // namespace awkward_shapes

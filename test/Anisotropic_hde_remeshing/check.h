@@ -76,35 +76,47 @@ inline std::string current_exception()
 #define CHECK(...) ::check_internal::record(static_cast<bool>(__VA_ARGS__), __FILE__, __LINE__, #__VA_ARGS__)
 
 // the two numbers differ by at most `tolerance`
-#define CHECK_CLOSE(a, b, tolerance)                                                                                   \
-  ::check_internal::record_close(static_cast<double>(a), static_cast<double>(b), static_cast<double>(tolerance),       \
-                                 __FILE__, __LINE__, #a " is close to " #b)
+#define CHECK_CLOSE(a, b, tolerance)                                                                                           \
+  ::check_internal::record_close(static_cast<double>(a), static_cast<double>(b), static_cast<double>(tolerance), __FILE__,     \
+                                 __LINE__, #a " is close to " #b)
 
 // the expression throws an exception of this type or one derived from it. A type with a comma in it needs a typedef.
-#define CHECK_THROWS(expression, exception_type)                                                                       \
-  ([&]() -> bool {                                                                                                     \
-    const std::string check_text = #expression " throws " #exception_type ", but ";                                    \
-    try {                                                                                                              \
-      static_cast<void>(expression);                                                                                   \
-    } catch (const exception_type&) {                                                                                  \
-      return ::check_internal::record(true, __FILE__, __LINE__, check_text);                                           \
-    } catch (...) {                                                                                                    \
-      return ::check_internal::record(false, __FILE__, __LINE__, check_text + ::check_internal::current_exception());  \
-    }                                                                                                                  \
-    return ::check_internal::record(false, __FILE__, __LINE__, check_text + "it threw nothing");                       \
-  }())
+#define CHECK_THROWS(expression, exception_type)                                                                               \
+  (                                                                                                                            \
+      [&]() -> bool                                                                                                            \
+      {                                                                                                                        \
+        const std::string check_text = #expression " throws " #exception_type ", but ";                                        \
+        try                                                                                                                    \
+        {                                                                                                                      \
+          static_cast<void>(expression);                                                                                       \
+        }                                                                                                                      \
+        catch (const exception_type&)                                                                                          \
+        {                                                                                                                      \
+          return ::check_internal::record(true, __FILE__, __LINE__, check_text);                                               \
+        }                                                                                                                      \
+        catch (...)                                                                                                            \
+        {                                                                                                                      \
+          return ::check_internal::record(false, __FILE__, __LINE__, check_text + ::check_internal::current_exception());      \
+        }                                                                                                                      \
+        return ::check_internal::record(false, __FILE__, __LINE__, check_text + "it threw nothing");                           \
+      }())
 
 // the expression throws nothing
-#define CHECK_NO_THROW(expression)                                                                                     \
-  ([&]() -> bool {                                                                                                     \
-    const std::string check_text = #expression " throws nothing, but ";                                                \
-    try {                                                                                                              \
-      static_cast<void>(expression);                                                                                   \
-    } catch (...) {                                                                                                    \
-      return ::check_internal::record(false, __FILE__, __LINE__, check_text + ::check_internal::current_exception());  \
-    }                                                                                                                  \
-    return ::check_internal::record(true, __FILE__, __LINE__, check_text);                                             \
-  }())
+#define CHECK_NO_THROW(expression)                                                                                             \
+  (                                                                                                                            \
+      [&]() -> bool                                                                                                            \
+      {                                                                                                                        \
+        const std::string check_text = #expression " throws nothing, but ";                                                    \
+        try                                                                                                                    \
+        {                                                                                                                      \
+          static_cast<void>(expression);                                                                                       \
+        }                                                                                                                      \
+        catch (...)                                                                                                            \
+        {                                                                                                                      \
+          return ::check_internal::record(false, __FILE__, __LINE__, check_text + ::check_internal::current_exception());      \
+        }                                                                                                                      \
+        return ::check_internal::record(true, __FILE__, __LINE__, check_text);                                                 \
+      }())
 
 // prints `N passed, N failed`; the exit status of the test. A test that checked nothing has not passed.
 inline int check_summary()

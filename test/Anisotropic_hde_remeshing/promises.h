@@ -124,7 +124,8 @@ std::string broken(const Mesh& before, const Mesh& after, const Function& functi
   const Hde::Shape_measures old_shape = Hde::measure_shape(scaled_before), shape = Hde::measure_shape(scaled_after);
   if (grows("degenerate faces", old_shape.number_of_degenerate_faces, shape.number_of_degenerate_faces) ||
       grows("folded edges", old_shape.number_of_folded_edges, shape.number_of_folded_edges) ||
-      grows("vertices off the surface, as the result tells", result.projections.closest_point + result.number_of_unprojected_vertices,
+      grows("vertices off the surface, as the result tells",
+            result.projections.closest_point + result.number_of_unprojected_vertices,
             number_off_surface(after, function, size)) ||
       (has_self_intersection_tests && number_of_self_intersections(scaled_before) == 0 &&
        grows("pairs of faces that intersect", 0, number_of_self_intersections(scaled_after))))
@@ -153,8 +154,9 @@ Outcome outcome(const Mesh& input, const std::optional<Function>& function, cons
                 const std::size_t number_of_faces, const bool has_self_intersection_tests)
 {
   Mesh mesh = input;
-  const auto np = CGAL::parameters::sigma(sigma).number_of_target_faces(number_of_faces).do_self_intersection_tests(
-      has_self_intersection_tests);
+  const auto np = CGAL::parameters::sigma(sigma)
+                      .number_of_target_faces(number_of_faces)
+                      .do_self_intersection_tests(has_self_intersection_tests);
   CGAL::Real_timer timer;
   timer.start();
   try

@@ -53,8 +53,8 @@ inline Bounds bounds_for_grids()
 
 // closed or open as before, valid, neither folded nor intersecting itself, vertices on the zero set
 template <typename TriangleMesh, typename Function>
-void check_validity(const std::string& name, const TriangleMesh& before, const TriangleMesh& after,
-                    const Function& function, const double largest_distance = 1e-9)
+void check_validity(const std::string& name, const TriangleMesh& before, const TriangleMesh& after, const Function& function,
+                    const double largest_distance = 1e-9)
 {
   CHECK(CGAL::is_valid_polygon_mesh(after));
   CHECK(CGAL::is_triangle_mesh(after));
@@ -82,8 +82,8 @@ void check_quality(const TriangleMesh& mesh, const Function& function, const Hde
   const Hde::Embedding_measures measures = Hde::measure_embedding(
       mesh, function, CGAL::parameters::sigma(result.sigma).target_edge_length(result.target_edge_length));
   std::cout << "  lengths " << measures.share_within_sqrt_2 << ", mean/l "
-            << measures.edge_length_mean / result.target_edge_length << ", angle " << measures.minimum_angle_mean
-            << " / " << measures.minimum_angle_least << std::endl;
+            << measures.edge_length_mean / result.target_edge_length << ", angle " << measures.minimum_angle_mean << " / "
+            << measures.minimum_angle_least << std::endl;
   CHECK(measures.share_within_sqrt_2 >= bounds.least_share_of_lengths);
   CHECK(measures.minimum_angle_mean >= bounds.least_mean_angle);
   CHECK_CLOSE(measures.edge_length_mean, result.target_edge_length, 0.1 * result.target_edge_length);

@@ -64,10 +64,7 @@ struct Ellipsoid_function
   double a = 1, b = 2, c = 5;
 
   FT operator()(const Point_3& p) const { return norm(p) - 1; }
-  Vector_3 gradient(const Point_3& p) const
-  {
-    return Vector_3(p.x() / (a * a), p.y() / (b * b), p.z() / (c * c)) / norm(p);
-  }
+  Vector_3 gradient(const Point_3& p) const { return Vector_3(p.x() / (a * a), p.y() / (b * b), p.z() / (c * c)) / norm(p); }
 
 private:
   double norm(const Point_3& p) const
@@ -86,10 +83,7 @@ struct Torus_function
 
   double large_radius = 1, small_radius = 0.25;
 
-  FT operator()(const Point_3& p) const
-  {
-    return std::hypot(std::hypot(p.x(), p.y()) - large_radius, p.z()) - small_radius;
-  }
+  FT operator()(const Point_3& p) const { return std::hypot(std::hypot(p.x(), p.y()) - large_radius, p.z()) - small_radius; }
   Vector_3 gradient(const Point_3& p) const
   {
     const double radius = std::hypot(p.x(), p.y()), distance = std::hypot(radius - large_radius, p.z());
@@ -129,8 +123,7 @@ struct Hills_function
   FT operator()(const Point_3& p) const { return p.z() - height(p.x(), p.y()); }
   Vector_3 gradient(const Point_3& p) const
   {
-    return Vector_3(-0.6 * std::cos(5 * p.x()) * std::cos(4 * p.y()), 0.48 * std::sin(5 * p.x()) * std::sin(4 * p.y()),
-                    1);
+    return Vector_3(-0.6 * std::cos(5 * p.x()) * std::cos(4 * p.y()), 0.48 * std::sin(5 * p.x()) * std::sin(4 * p.y()), 1);
   }
 };
 
@@ -178,8 +171,7 @@ inline Soup icosphere_soup(const unsigned int level)
             CGAL::squared_distance(p[k], p[i]) < squared_edge)
         {
           const bool is_outward = CGAL::cross_product(p[j] - p[i], p[k] - p[i]) * (p[i] - CGAL::ORIGIN) > 0;
-          soup.triangles.push_back(is_outward ? std::array<std::size_t, 3>{i, j, k}
-                                              : std::array<std::size_t, 3>{i, k, j});
+          soup.triangles.push_back(is_outward ? std::array<std::size_t, 3>{i, j, k} : std::array<std::size_t, 3>{i, k, j});
         }
   for (unsigned int l = 0; l < level; ++l)
   {
@@ -234,8 +226,7 @@ inline Mesh torus(const std::size_t around, const std::size_t across, const Toru
       const double radius = f.large_radius + f.small_radius * std::cos(v);
       soup.points.emplace_back(radius * std::cos(u), radius * std::sin(u), f.small_radius * std::sin(v));
       const std::size_t next_i = (i + 1) % around, next_j = (j + 1) % across;
-      const std::size_t a = i * across + j, b = next_i * across + j, c = next_i * across + next_j,
-                        d = i * across + next_j;
+      const std::size_t a = i * across + j, b = next_i * across + j, c = next_i * across + next_j, d = i * across + next_j;
       soup.triangles.push_back({a, b, c});
       soup.triangles.push_back({a, c, d});
     }
@@ -292,10 +283,7 @@ inline Soup half_sphere_soup(const std::size_t rings)
   return soup;
 }
 
-inline Mesh half_sphere(const std::size_t rings)
-{
-  return to_mesh(half_sphere_soup(rings));
-}
+inline Mesh half_sphere(const std::size_t rings) { return to_mesh(half_sphere_soup(rings)); }
 
 // a hilly landscape over the square [0,2]^2, looking up: one boundary curve with four corners, 2 * n^2 faces
 inline Mesh hills(const std::size_t n)
@@ -357,10 +345,7 @@ std::string invalid_argument_message(const Call& call)
   return std::string();
 }
 
-inline bool contains(const std::string& text, const std::string& part)
-{
-  return text.find(part) != std::string::npos;
-}
+inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 } // namespace shapes
 

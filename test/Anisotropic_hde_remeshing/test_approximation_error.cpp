@@ -97,8 +97,8 @@ void test_error(const std::string& name, const Mesh& input, const Function& func
   Mesh same = input, absolute = input;
   CGAL::anisotropic_hde_remeshing(same, function, parameters::relative_approximation_error(relative_error));
   CHECK(remeshing_checks::digest(mesh) == remeshing_checks::digest(same));
-  CHECK(CGAL::anisotropic_hde_remeshing<Tag>(absolute, function, parameters::approximation_error(error))
-            .approximation_error <= error * (1 + 1e-12));
+  CHECK(CGAL::anisotropic_hde_remeshing<Tag>(absolute, function, parameters::approximation_error(error)).approximation_error <=
+        error * (1 + 1e-12));
   CHECK_CLOSE(double(absolute.number_of_faces()), double(mesh.number_of_faces()), 0.1 * double(mesh.number_of_faces()));
 }
 
@@ -126,8 +126,8 @@ void test_errors()
   CHECK(largest_distance(few, Ellipsoid_function()) <= of_few.approximation_error);
   // it does not
   Mesh many = ellipsoid(5);
-  CHECK(CGAL::anisotropic_hde_remeshing<Tag>(
-            many, Ellipsoid_function(), parameters::relative_approximation_error(1e-3).number_of_target_faces(100000))
+  CHECK(CGAL::anisotropic_hde_remeshing<Tag>(many, Ellipsoid_function(),
+                                             parameters::relative_approximation_error(1e-3).number_of_target_faces(100000))
             .binding_target == Hde::Target::APPROXIMATION_ERROR);
   CHECK(many.number_of_faces() < 5000);
 
@@ -147,8 +147,8 @@ void test_fit()
   Mesh on_surface = input, fitted = input;
   CGAL::anisotropic_hde_remeshing<Tag>(on_surface, Ellipsoid_function(),
                                        parameters::relative_sigma(0.15).number_of_target_faces(4000));
-  CGAL::anisotropic_hde_remeshing<Tag>(
-      fitted, Ellipsoid_function(), parameters::relative_sigma(0.15).number_of_target_faces(4000).fit_to_surface(true));
+  CGAL::anisotropic_hde_remeshing<Tag>(fitted, Ellipsoid_function(),
+                                       parameters::relative_sigma(0.15).number_of_target_faces(4000).fit_to_surface(true));
   // only positions differ; the distance becomes a third of what it was: at best a quarter, where the surface is curved to one side
   CHECK(fitted.number_of_faces() == on_surface.number_of_faces());
   remeshing_checks::check_validity("fitted", input, fitted, Ellipsoid_function(), 1e-2);

@@ -49,16 +49,14 @@ std::uint64_t digest_of_rbf_remeshing(const Mesh& input, const double sigma, con
   function_values = values(function, input);
   Mesh mesh = input;
   CGAL::anisotropic_hde_remeshing<Tag>(
-      mesh, function,
-      CGAL::parameters::sigma(sigma * bounding_box_diagonal(input)).number_of_target_faces(number_of_faces));
+      mesh, function, CGAL::parameters::sigma(sigma * bounding_box_diagonal(input)).number_of_target_faces(number_of_faces));
   return digest(mesh);
 }
 
 void test_threads(const std::string& name, const Mesh& input, const double sigma, const std::size_t number_of_faces)
 {
   std::vector<double> expected_values, function_values;
-  const std::uint64_t expected =
-      digest_of_rbf_remeshing<CGAL::Sequential_tag>(input, sigma, number_of_faces, expected_values);
+  const std::uint64_t expected = digest_of_rbf_remeshing<CGAL::Sequential_tag>(input, sigma, number_of_faces, expected_values);
   std::cout << name << ": " << std::hex << expected << std::dec << std::endl;
   CHECK(digest_of_rbf_remeshing<CGAL::Sequential_tag>(input, sigma, number_of_faces, function_values) == expected);
   CHECK(function_values == expected_values);
@@ -71,8 +69,7 @@ void test_threads(const std::string& name, const Mesh& input, const double sigma
   }
 #endif
   // another request must give another mesh, or the digest shows nothing
-  CHECK(digest_of_rbf_remeshing<CGAL::Sequential_tag>(input, 1.01 * sigma, number_of_faces, function_values) !=
-        expected);
+  CHECK(digest_of_rbf_remeshing<CGAL::Sequential_tag>(input, 1.01 * sigma, number_of_faces, function_values) != expected);
 }
 
 // constrained edges, fixed vertices and a range of faces; garbage is not part of the digest
@@ -93,9 +90,9 @@ std::uint64_t digest_with_constraints(const Mesh& input)
   for (const Mesh::Vertex_index v : mesh.vertices())
     is_constrained[v] = int(v) % 97 == 0;
   const CGAL::Rbf_implicit_function<Kernel, CGAL::Polyharmonic_rbf, Tag> function(mesh);
-  CGAL::anisotropic_hde_remeshing<Tag>(range, mesh, function,
-                                       CGAL::parameters::number_of_target_faces(9000).face_patch_map(patch)
-                                           .vertex_is_constrained_map(is_constrained));
+  CGAL::anisotropic_hde_remeshing<Tag>(
+      range, mesh, function,
+      CGAL::parameters::number_of_target_faces(9000).face_patch_map(patch).vertex_is_constrained_map(is_constrained));
   return digest(mesh);
 }
 
@@ -162,9 +159,8 @@ void test_point_map()
   }
   const auto np = CGAL::parameters::sigma(0.5).number_of_target_faces(1000);
   CGAL::anisotropic_hde_remeshing(expected, Ellipsoid_function(), np);
-  CGAL::anisotropic_hde_remeshing(
-      mesh, Ellipsoid_function(),
-      CGAL::parameters::sigma(0.5).number_of_target_faces(1000).vertex_point_map(positions));
+  CGAL::anisotropic_hde_remeshing(mesh, Ellipsoid_function(),
+                                  CGAL::parameters::sigma(0.5).number_of_target_faces(1000).vertex_point_map(positions));
   CHECK(mesh.number_of_vertices() == expected.number_of_vertices());
   bool is_same = true;
   for (const Mesh::Vertex_index v : expected.vertices())

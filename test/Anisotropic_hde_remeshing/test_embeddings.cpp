@@ -190,8 +190,7 @@ void test_gradation()
 template <typename Function>
 double rms_over_bound(const Mesh& mesh, const Function& function)
 {
-  return Hde::measure_distance_to_zero_set(mesh, function).face_rms /
-         Hde::approximation_bounds(mesh, function).rms_on_surface;
+  return Hde::measure_distance_to_zero_set(mesh, function).face_rms / Hde::approximation_bounds(mesh, function).rms_on_surface;
 }
 
 void test_remeshing_with_metrics()
@@ -216,12 +215,13 @@ void test_remeshing_with_metrics()
   }
   // the paper's embedding is further from it
   Mesh mesh = input;
-  CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(), parameters::relative_sigma(0.15).number_of_target_faces(5000));
+  CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(),
+                                       parameters::relative_sigma(0.15).number_of_target_faces(5000));
   CHECK(rms_over_bound(mesh, Ellipsoid_function()) > 1.25);
 
   mesh = input;
-  CGAL::anisotropic_hde_remeshing<Tag>(
-      mesh, Ellipsoid_function(), parameters::embedding(Hde::Adaptive_normal_embedding()).number_of_target_faces(5000));
+  CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(),
+                                       parameters::embedding(Hde::Adaptive_normal_embedding()).number_of_target_faces(5000));
   remeshing_checks::check_validity("adaptive", input, mesh, Ellipsoid_function());
   remeshing_checks::check_number_of_faces(mesh, 5000);
 }
@@ -254,7 +254,8 @@ void test_units()
   CHECK(mesh.number_of_faces() == large.number_of_faces());
   double largest = 0;
   for (const Mesh::Vertex_index v : mesh.vertices())
-    largest = (std::max)(largest, std::sqrt(CGAL::squared_distance(CGAL::ORIGIN + unit * (mesh.point(v) - CGAL::ORIGIN), large.point(v))));
+    largest = (std::max)(
+        largest, std::sqrt(CGAL::squared_distance(CGAL::ORIGIN + unit * (mesh.point(v) - CGAL::ORIGIN), large.point(v))));
   CHECK(largest < 1e-9 * unit);
 }
 
@@ -296,8 +297,7 @@ void test_fields()
   // a front takes a fifth of the faces of a uniform mesh of the same error
   Mesh adapted = input, uniform = input;
   CGAL::anisotropic_hde_remeshing<Tag>(
-      adapted, sphere,
-      parameters::embedding(Hde::scalar_field_embedding<Point_3>(0, 1, Front())).number_of_target_faces(4000));
+      adapted, sphere, parameters::embedding(Hde::scalar_field_embedding<Point_3>(0, 1, Front())).number_of_target_faces(4000));
   CGAL::anisotropic_hde_remeshing<Tag>(uniform, sphere, parameters::sigma(0).number_of_target_faces(20000));
   const double of_adapted = interpolation_error(adapted), of_uniform = interpolation_error(uniform);
   std::cout << "front: error with 4000 faces " << of_adapted << ", uniform with 20000 " << of_uniform << std::endl;
@@ -309,7 +309,8 @@ void test_fields()
   CGAL::anisotropic_hde_remeshing(plain, sphere, parameters::sigma(0.1).number_of_target_faces(2000));
   CGAL::anisotropic_hde_remeshing(
       constant, sphere,
-      parameters::embedding(Hde::scalar_field_embedding<Point_3>(0.1, 5, [](const Point_3&) { return 7.; })).number_of_target_faces(2000));
+      parameters::embedding(Hde::scalar_field_embedding<Point_3>(0.1, 5, [](const Point_3&) { return 7.; }))
+          .number_of_target_faces(2000));
   CHECK_CLOSE(double(plain.number_of_faces()), double(constant.number_of_faces()), 10);
   CHECK_CLOSE(Hde::measure_embedding(plain, sphere, parameters::sigma(0.1)).edge_length_mean,
               Hde::measure_embedding(constant, sphere, parameters::sigma(0.1)).edge_length_mean, 1e-3);
@@ -325,8 +326,8 @@ void test_fields()
   // a field that is not finite: the exception reaches the caller, and the mesh is as it was
   Mesh refused = input;
   const auto bad = [](const Point_3& p) { return p.z() > 0.9 ? std::nan("") : 0.; };
-  CHECK_THROWS(CGAL::anisotropic_hde_remeshing<Tag>(
-                   refused, sphere, parameters::embedding(Hde::scalar_field_embedding<Point_3>(0, 1, bad))),
+  CHECK_THROWS(CGAL::anisotropic_hde_remeshing<Tag>(refused, sphere,
+                                                    parameters::embedding(Hde::scalar_field_embedding<Point_3>(0, 1, bad))),
                std::domain_error);
   CHECK(remeshing_checks::digest(refused) == remeshing_checks::digest(input));
   CHECK_THROWS(Hde::scalar_field_embedding<Point_3>(0, -1, Front()), std::invalid_argument);

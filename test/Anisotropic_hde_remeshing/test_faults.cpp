@@ -98,8 +98,7 @@ void test_exhaustion()
 {
   const Mesh input = ellipsoid(2);
   const auto np = CGAL::parameters::number_of_target_faces(500).number_of_iterations(3);
-  check_exhaustion("own function", input,
-                   [&](Mesh& mesh) { CGAL::anisotropic_hde_remeshing(mesh, Ellipsoid_function(), np); });
+  check_exhaustion("own function", input, [&](Mesh& mesh) { CGAL::anisotropic_hde_remeshing(mesh, Ellipsoid_function(), np); });
   check_exhaustion("function from the mesh", input, [&](Mesh& mesh) { CGAL::anisotropic_hde_remeshing(mesh, np); });
   check_exhaustion("some faces", input,
                    [&](Mesh& mesh)
@@ -131,10 +130,7 @@ double noise_of(const Point_3& p)
 // the sign changes from point to point
 struct Flickering_function : Ellipsoid_function
 {
-  FT operator()(const Point_3& p) const
-  {
-    return (noise_of(p) < 0.5 ? -1 : 1) * Ellipsoid_function::operator()(p);
-  }
+  FT operator()(const Point_3& p) const { return (noise_of(p) < 0.5 ? -1 : 1) * Ellipsoid_function::operator()(p); }
 };
 
 struct Jumping_function : Ellipsoid_function

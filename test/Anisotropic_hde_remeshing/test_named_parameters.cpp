@@ -74,8 +74,8 @@ void check_every_name()
 void check_property_map()
 {
   Mesh mesh;
-  CGAL::make_tetrahedron(Kernel::Point_3(0, 0, 0), Kernel::Point_3(1, 0, 0), Kernel::Point_3(0, 1, 0),
-                         Kernel::Point_3(0, 0, 1), mesh);
+  CGAL::make_tetrahedron(Kernel::Point_3(0, 0, 0), Kernel::Point_3(1, 0, 0), Kernel::Point_3(0, 1, 0), Kernel::Point_3(0, 0, 1),
+                         mesh);
   Mesh::Property_map<Mesh::Vertex_index, Kernel::Point_3> moved =
       mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_3>("v:moved", Kernel::Point_3(5, 5, 5)).first;
   const auto np = parameters::sigma(2.0).vertex_point_map(moved).number_of_patches(3);

@@ -53,8 +53,8 @@ int test_mesh(const std::string& name, const shapes::Mesh& mesh)
     const promises::Outcome outcome =
         promises::outcome<Tag>(mesh, function, c.sigma * diagonal, n, c.has_self_intersection_tests);
     std::cout << name << ", sigma " << c.sigma << " D, " << mesh.number_of_faces() << " to " << n << " faces"
-              << (c.has_self_intersection_tests ? ", tested: " : ": ")
-              << (outcome.kind == Kind::VALID ? "valid" : outcome.text) << ", " << outcome.seconds << " s" << std::endl;
+              << (c.has_self_intersection_tests ? ", tested: " : ": ") << (outcome.kind == Kind::VALID ? "valid" : outcome.text)
+              << ", " << outcome.seconds << " s" << std::endl;
     CHECK(outcome.kind != Kind::BROKEN);
     number_of_meshes += outcome.kind == Kind::VALID ? 1 : 0;
   }

@@ -89,13 +89,11 @@ Mesh icosphere(const unsigned int level)
 template <typename SomeMesh>
 SomeMesh grid(const int n, const double height)
 {
-  typedef
-      typename boost::property_traits<typename boost::property_map<SomeMesh, CGAL::vertex_point_t>::type>::value_type P;
+  typedef typename boost::property_traits<typename boost::property_map<SomeMesh, CGAL::vertex_point_t>::type>::value_type P;
   SomeMesh mesh;
   CGAL::make_grid(
       n, n, mesh,
-      [=](std::size_t i, std::size_t j) { return P(static_cast<double>(i) / n, static_cast<double>(j) / n, height); },
-      true);
+      [=](std::size_t i, std::size_t j) { return P(static_cast<double>(i) / n, static_cast<double>(j) / n, height); }, true);
   return mesh;
 }
 
@@ -210,8 +208,7 @@ void test_embedding()
       Hde::measure_embedding<CGAL::Parallel_if_available_tag>(sphere, function, CGAL::parameters::sigma(2.));
   CHECK(parallel.edge_length_mean == measures.edge_length_mean);
   CHECK(parallel.minimum_angle_mean == measures.minimum_angle_mean);
-  CHECK_CLOSE(Hde::measure_embedding(icosphere(0), function, CGAL::parameters::sigma(2.)).minimum_angle_least, 60,
-              1e-10);
+  CHECK_CLOSE(Hde::measure_embedding(icosphere(0), function, CGAL::parameters::sigma(2.)).minimum_angle_least, 60, 1e-10);
 }
 
 void test_folded_faces()

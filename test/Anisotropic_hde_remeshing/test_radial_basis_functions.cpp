@@ -36,16 +36,10 @@ typedef Eigen::Matrix<Real, 3, 3> Real_matrix;
 
 const double width = 1.7, support = 2.6;
 
-Real power(const Real x, const int n)
-{
-  return n == 0 ? 1 : x * power(x, n - 1);
-}
+Real power(const Real x, const int n) { return n == 0 ? 1 : x * power(x, n - 1); }
 
 // (1 - t)_+^n
-Real cut(const Real t, const int n)
-{
-  return t < 1 ? power(1 - t, n) : 0;
-}
+Real cut(const Real t, const int n) { return t < 1 ? power(1 - t, n) : 0; }
 
 // calls test(kernel, its formula)
 template <typename Test>
@@ -129,7 +123,7 @@ void test_formula(const Kernel& kernel, const Phi& phi)
   std::cout << Kernel::name() << ": value " << value << ", derivatives " << first << " " << second << std::endl;
   CHECK(value <= 1e-14);
   CHECK(first <= 1e-9);
-  CHECK(second <= 1e-7); // less than four derivatives at the end of the support
+  CHECK(second <= 1e-7);       // less than four derivatives at the end of the support
   CHECK(first_alone <= 1e-15); // the compiler may round the same formula in two ways
 
   const Kernel_values<double> at_centre(kernel, 0.);
@@ -179,8 +173,7 @@ void test_arrays(const Kernel& kernel)
   typedef Eigen::Array<double, 8, 1> Lanes;
   double largest = difference_to_array(kernel, Eigen::ArrayXd(Eigen::ArrayXd::LinSpaced(101, 0.01, 12).square()));
   for (int k = 0; k < 100; ++k)
-    largest =
-        (std::max)(largest, difference_to_array(kernel, Lanes(Lanes::LinSpaced(0.01 + 0.05 * k, 0.11 + 0.05 * k))));
+    largest = (std::max)(largest, difference_to_array(kernel, Lanes(Lanes::LinSpaced(0.01 + 0.05 * k, 0.11 + 0.05 * k))));
   std::cout << Kernel::name() << ": numbers and arrays " << largest << std::endl;
   CHECK(largest <= 1e-15);
 }
@@ -207,14 +200,12 @@ Eigen::MatrixXd interpolation_matrix(const Kernel& kernel, const Points& centres
   Eigen::MatrixXd matrix(centres.cols(), centres.cols());
   for (Eigen::Index i = 0; i < centres.cols(); ++i)
     for (Eigen::Index j = 0; j < centres.cols(); ++j)
-      matrix(i, j) =
-          Kernel::sign * Kernel_values<double>(kernel, (centres.col(i) - centres.col(j)).squaredNorm()).value;
+      matrix(i, j) = Kernel::sign * Kernel_values<double>(kernel, (centres.col(i) - centres.col(j)).squaredNorm()).value;
   return matrix;
 }
 
 // the least and the largest eigenvalue of the matrix where the polynomials of degree < order vanish
-std::pair<double, double> extreme_eigenvalues(const Eigen::MatrixXd& matrix, const Points& centres,
-                                              const unsigned int order)
+std::pair<double, double> extreme_eigenvalues(const Eigen::MatrixXd& matrix, const Points& centres, const unsigned int order)
 {
   const Eigen::Index n = centres.cols(), q = order == 0 ? 0 : order == 1 ? 1 : 4;
   Eigen::MatrixXd polynomials(n, 4);
@@ -227,10 +218,9 @@ std::pair<double, double> extreme_eigenvalues(const Eigen::MatrixXd& matrix, con
   }
   // the polynomials themselves get a value between the others
   const Eigen::MatrixXd projected = projector.lazyProduct(matrix).eval().lazyProduct(projector),
-                        complete = projected + std::abs(projected.trace()) / double(n - q) *
-                                                   (Eigen::MatrixXd::Identity(n, n) - projector);
-  const Eigen::VectorXd values =
-      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(complete, Eigen::EigenvaluesOnly).eigenvalues();
+                        complete = projected +
+                                   std::abs(projected.trace()) / double(n - q) * (Eigen::MatrixXd::Identity(n, n) - projector);
+  const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(complete, Eigen::EigenvaluesOnly).eigenvalues();
   return std::make_pair(values.minCoeff(), values.maxCoeff());
 }
 
@@ -326,8 +316,7 @@ struct Reference_jet
 
   void add(const Real weight, const Kernel_values<Real>& values, const Real_vector& difference)
   {
-    const Real_matrix hessian =
-        values.first * Real_matrix::Identity() + (values.second * difference) * difference.transpose();
+    const Real_matrix hessian = values.first * Real_matrix::Identity() + (values.second * difference) * difference.transpose();
     add(weight * values.value, weight * values.first * difference, weight * hessian);
   }
 
@@ -450,10 +439,9 @@ void test_local_interpolant(const Kernel& kernel)
       expected.add(polynomial.constant + polynomial.linear.cast<Real>().dot(y) + y.dot(quadratic * y),
                    polynomial.linear.cast<Real>() + 2 * quadratic * y, 2 * quadratic);
       double unused;
-      largest =
-          (std::max)({largest, expected.error(interpolant.template evaluate<0>(p, unused), frame.unit),
-                      expected.error(interpolant.template evaluate<1>(p, unused), frame.unit),
-                      expected.error(interpolant.template evaluate<2>(p, unused), frame.unit, 1 / Real(frame.unit))});
+      largest = (std::max)({largest, expected.error(interpolant.template evaluate<0>(p, unused), frame.unit),
+                            expected.error(interpolant.template evaluate<1>(p, unused), frame.unit),
+                            expected.error(interpolant.template evaluate<2>(p, unused), frame.unit, 1 / Real(frame.unit))});
     }
   }
   std::cout << Kernel::name() << ": interpolant " << largest << std::endl;

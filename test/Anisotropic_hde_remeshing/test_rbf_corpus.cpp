@@ -207,8 +207,8 @@ void test_function(const std::string& name, const Function& f, const Mesh& mesh)
   CHECK(number_of_values_not_finite(f, mesh, faces) == 0);
 
   const Projection_figures figures = project_centres(f, mesh, faces);
-  std::cout << "; of " << figures.number << " projections by closest point " << figures.by_closest_point
-            << ", far from input " << figures.far_from_input << ", off the zero set " << figures.off_zero_set;
+  std::cout << "; of " << figures.number << " projections by closest point " << figures.by_closest_point << ", far from input "
+            << figures.far_from_input << ", off the zero set " << figures.off_zero_set;
   CHECK(figures.far_from_input == 0);
   CHECK(100 * figures.by_closest_point <= 3 * figures.number);
   // where the input intersects itself, signs may change without a zero

@@ -38,24 +38,14 @@ typedef CGAL::Rbf_implicit_function<Kernel, CGAL::Wendland_C4_rbf> Wendland_func
 
 const Ellipsoid_function exact;
 
-Point_3 on_ellipsoid(const Point_3& p)
-{
-  return Point_3(exact.a * p.x(), exact.b * p.y(), exact.c * p.z());
-}
+Point_3 on_ellipsoid(const Point_3& p) { return Point_3(exact.a * p.x(), exact.b * p.y(), exact.c * p.z()); }
 
-Eigen::Vector3d to_eigen(const Vector_3& v)
-{
-  return {v.x(), v.y(), v.z()};
-}
+Eigen::Vector3d to_eigen(const Vector_3& v) { return {v.x(), v.y(), v.z()}; }
 
-Vector_3 unit_vector(const int axis)
-{
-  return Vector_3(axis == 0, axis == 1, axis == 2);
-}
+Vector_3 unit_vector(const int axis) { return Vector_3(axis == 0, axis == 1, axis == 2); }
 
 // points at random distances along the normals of the ellipsoid
-std::vector<Point_3> points_near_the_surface(const std::size_t n, const double least_distance,
-                                             const double largest_distance)
+std::vector<Point_3> points_near_the_surface(const std::size_t n, const double least_distance, const double largest_distance)
 {
   CGAL::Random random(7);
   std::vector<Point_3> result;
@@ -63,8 +53,7 @@ std::vector<Point_3> points_near_the_surface(const std::size_t n, const double l
   {
     const Point_3 p = on_ellipsoid(q);
     const Vector_3 normal = exact.gradient(p);
-    result.push_back(p +
-                     random.get_double(least_distance, largest_distance) / std::sqrt(normal.squared_length()) * normal);
+    result.push_back(p + random.get_double(least_distance, largest_distance) / std::sqrt(normal.squared_length()) * normal);
   }
   return result;
 }
@@ -118,8 +107,8 @@ void test_against_differences()
     // through the passage to the distance, whose gradient is Lipschitz continuous outside of a convex mesh
     for (const Point_3& p : points_near_the_surface(500, 0.1, 3))
       far_gradient = (std::max)(far_gradient, error_of_gradient(f, p));
-    std::cout << "against differences: gradient " << gradient << ", Hessian " << hessian << ", far gradient "
-              << far_gradient << std::endl;
+    std::cout << "against differences: gradient " << gradient << ", Hessian " << hessian << ", far gradient " << far_gradient
+              << std::endl;
     CHECK(gradient <= 1e-6);
     CHECK(hessian <= 3e-6); // third derivatives jump at the centres and the seams
     CHECK(far_gradient <= 1e-5);
@@ -177,14 +166,13 @@ void test_curvatures_of_ellipsoid()
       const auto curvatures = f.principal_curvatures(p);
       const std::pair<double, double> expected = exact_curvatures_of_ellipsoid(p);
       const double error =
-          std::hypot(curvatures.min_curvature - expected.first, curvatures.max_curvature - expected.second) /
-          expected.second;
+          std::hypot(curvatures.min_curvature - expected.first, curvatures.max_curvature - expected.second) / expected.second;
       sum += error * error;
       largest = (std::max)(largest, error);
     }
     const double error = std::sqrt(sum / double(n));
-    std::cout << "curvatures of the ellipsoid, level " << level << ": relative error, rms " << error << ", largest "
-              << largest << ", order " << std::log2(last / error) << std::endl;
+    std::cout << "curvatures of the ellipsoid, level " << level << ": relative error, rms " << error << ", largest " << largest
+              << ", order " << std::log2(last / error) << std::endl;
     CHECK(error <= bounds[level - 3]);
     CHECK(level == 3 || std::log2(last / error) >= 1);
     last = error;
@@ -202,8 +190,8 @@ double error_of_curvatures(const F& f, const std::vector<Point_3>& points, const
   {
     const auto curvatures = f.principal_curvatures(p);
     const std::pair<double, double> values = expected(p);
-    result = (std::max)({result, std::abs(curvatures.min_curvature - values.first),
-                         std::abs(curvatures.max_curvature - values.second)});
+    result = (std::max)(
+        {result, std::abs(curvatures.min_curvature - values.first), std::abs(curvatures.max_curvature - values.second)});
   }
   return result;
 }
@@ -303,8 +291,8 @@ struct Jumps
 
 // the jumps over the plane at the foot of `p` on it, if the patches that count change there
 template <typename Interpolant>
-void add_jumps(const Interpolant& interpolant, const internal::Vector& normal, const double position,
-               internal::Vector p, Jumps& jumps)
+void add_jumps(const Interpolant& interpolant, const internal::Vector& normal, const double position, internal::Vector p,
+               Jumps& jumps)
 {
   const auto patches_at = [&](const internal::Vector& q)
   {
@@ -316,11 +304,10 @@ void add_jumps(const Interpolant& interpolant, const internal::Vector& normal, c
   const internal::Vector before = p - 1e-14 * normal, after = p + 1e-14 * normal;
   if (patches_at(before) == patches_at(after))
     return;
-  const internal::Jet<2> left = interpolant.template evaluate<2>(before),
-                         right = interpolant.template evaluate<2>(after);
+  const internal::Jet<2> left = interpolant.template evaluate<2>(before), right = interpolant.template evaluate<2>(after);
   jumps.value = (std::max)(jumps.value, std::abs(left.value - right.value));
-  jumps.angle = (std::max)(jumps.angle,
-                           std::atan2(left.gradient.cross(right.gradient).norm(), left.gradient.dot(right.gradient)));
+  jumps.angle =
+      (std::max)(jumps.angle, std::atan2(left.gradient.cross(right.gradient).norm(), left.gradient.dot(right.gradient)));
   jumps.hessian = (std::max)(jumps.hessian, (left.hessian - right.hessian).norm() / left.hessian.norm());
   ++jumps.number;
 }
@@ -349,8 +336,7 @@ Jumps largest_jumps(const Bare_interpolant<Radial_function>& bare, const std::ve
         }
       });
   std::cout << Radial_function::name() << ": jumps at " << jumps.number << " points of " << number_of_planes_with_points
-            << " planes: value/D " << jumps.value << ", normal " << jumps.angle << ", Hessian " << jumps.hessian
-            << std::endl;
+            << " planes: value/D " << jumps.value << ", normal " << jumps.angle << ", Hessian " << jumps.hessian << std::endl;
   CHECK(2 * number_of_planes_with_points > number_of_planes);
   return jumps;
 }

@@ -32,10 +32,7 @@ typedef CGAL::Rbf_implicit_function<Kernel, CGAL::Wendland_C2_rbf> Wendland_func
 const Ellipsoid_function exact;
 const double diagonal = 2 * std::sqrt(30.); // of the box of the ellipsoid
 
-Point_3 on_ellipsoid(const Point_3& p)
-{
-  return Point_3(exact.a * p.x(), exact.b * p.y(), exact.c * p.z());
-}
+Point_3 on_ellipsoid(const Point_3& p) { return Point_3(exact.a * p.x(), exact.b * p.y(), exact.c * p.z()); }
 
 Vector_3 unit_normal(const Point_3& p)
 {
@@ -163,8 +160,8 @@ void test_interpolation(const double two_sided_tolerance = 1e-10)
     {
       if (relative_offset < 0 && !is_two_sided)
         continue;
-      const double residual = largest_residual(
-          f, input, [&](const Mesh::Vertex_index v) { return relative_offset * spacing_of(input.mesh, v); });
+      const double residual =
+          largest_residual(f, input, [&](const Mesh::Vertex_index v) { return relative_offset * spacing_of(input.mesh, v); });
       std::cout << " " << residual / diagonal;
       CHECK(residual <= tolerance);
     }
@@ -243,8 +240,7 @@ Reference_interpolant<Phi> reference_interpolant(const Mesh& mesh, const NormalM
       centres.emplace_back(p.x(), p.y(), p.z());
       data.push_back(distance);
     }
-  return Reference_interpolant<Phi>(centres, Eigen::Map<Eigen::VectorXd>(data.data(), Eigen::Index(data.size())), phi,
-                                    normal);
+  return Reference_interpolant<Phi>(centres, Eigen::Map<Eigen::VectorXd>(data.data(), Eigen::Index(data.size())), phi, normal);
 }
 
 template <typename F, typename G>
@@ -261,8 +257,7 @@ template <typename F, typename Phi>
 void test_one_patch_of_ellipsoid(const Phi& phi, const double offset)
 {
   const Ellipsoid_with_normals input(2);
-  const F f(input.mesh,
-            CGAL::parameters::number_of_patches(1).offset_distance(offset).vertex_normal_map(input.normals));
+  const F f(input.mesh, CGAL::parameters::number_of_patches(1).offset_distance(offset).vertex_normal_map(input.normals));
   CHECK(f.diagnostics().number_of_patches == 1);
   CHECK(f.diagnostics().max_centres == 2 * input.mesh.number_of_vertices());
   const auto reference = reference_interpolant(input.mesh, input.normals, offset, phi, Eigen::Vector3d::Zero());
@@ -369,9 +364,8 @@ void test_residual_of_one_patch()
 {
   const Ellipsoid_with_normals input(2);
   const double offset = 0.05;
-  const Function f(
-      input.mesh,
-      CGAL::parameters::number_of_patches(1).offset_distance(offset).smoothing(0.02).vertex_normal_map(input.normals));
+  const Function f(input.mesh, CGAL::parameters::number_of_patches(1).offset_distance(offset).smoothing(0.02).vertex_normal_map(
+                                   input.normals));
   const double residual = (std::max)(largest_residual_on_surface(f, input),
                                      largest_residual(f, input, [&](const Mesh::Vertex_index) { return offset; }));
   CHECK(residual > 1e-4);
@@ -400,8 +394,8 @@ void test_compact_support()
     CGAL::Random random(19);
     std::vector<Point_3> points;
     for (const Mesh::Vertex_index v : input.mesh.vertices())
-      points.push_back(input.mesh.point(v) + Vector_3(random.get_double(-0.1, 0.1), random.get_double(-0.1, 0.1),
-                                                      random.get_double(-0.1, 0.1)));
+      points.push_back(input.mesh.point(v) +
+                       Vector_3(random.get_double(-0.1, 0.1), random.get_double(-0.1, 0.1), random.get_double(-0.1, 0.1)));
     const double difference = largest_difference(f, reference, points);
     std::cout << "sparse against dense solution: " << difference << std::endl;
     CHECK(difference <= 1e-10);
@@ -482,8 +476,7 @@ void test_continuity()
       const double length = std::sqrt(step.squared_length());
       const double trapezium = 0.5 * ((at_p.second + at_last.second) * step);
       largest_value = (std::max)(largest_value, std::abs(at_p.first - at_last.first - trapezium) / (length * length));
-      largest_gradient =
-          (std::max)(largest_gradient, std::sqrt((at_p.second - at_last.second).squared_length()) / length);
+      largest_gradient = (std::max)(largest_gradient, std::sqrt((at_p.second - at_last.second).squared_length()) / length);
     }
     last = p;
     at_last = at_p;
@@ -556,8 +549,7 @@ void test_far()
   for (const Mesh::Face_index face : mesh.faces())
   {
     const Mesh::Halfedge_index h = mesh.halfedge(face);
-    triangles.emplace_back(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
-                           mesh.point(mesh.target(mesh.next(h))));
+    triangles.emplace_back(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))));
   }
   const Function f(mesh);
   double difference = 0, length = 0;

@@ -89,8 +89,7 @@ void test_points_with_normals()
     normals.push_back(17 * p.second); // of any length
   }
   const Function from_indices(
-      indices,
-      CGAL::parameters::point_map(CGAL::make_property_map(positions)).normal_map(CGAL::make_property_map(normals)));
+      indices, CGAL::parameters::point_map(CGAL::make_property_map(positions)).normal_map(CGAL::make_property_map(normals)));
   CHECK(largest_difference(from_points, from_indices) < 1e-9);
 }
 
@@ -187,9 +186,9 @@ void check_finite(const F& f, const std::vector<Point_3>& points)
   {
     const auto at_p = f.value_and_gradient(p);
     const auto curvatures = f.principal_curvatures(p);
-    const bool is_finite =
-        std::isfinite(at_p.first) && std::isfinite(at_p.second.x() + at_p.second.y() + at_p.second.z()) &&
-        f.hessian(p).allFinite() && std::isfinite(curvatures.min_curvature) && std::isfinite(curvatures.max_curvature);
+    const bool is_finite = std::isfinite(at_p.first) && std::isfinite(at_p.second.x() + at_p.second.y() + at_p.second.z()) &&
+                           f.hessian(p).allFinite() && std::isfinite(curvatures.min_curvature) &&
+                           std::isfinite(curvatures.max_curvature);
     not_finite += is_finite ? 0 : 1;
   }
   CHECK(not_finite == 0);
@@ -219,8 +218,7 @@ std::pair<double, double> difference_to_image(const Soup& soup, const double sca
   CGAL::Random random(31);
   for (const Point_3& p : soup.points)
   {
-    const Point_3 q =
-        p + Vector_3(random.get_double(-0.1, 0.1), random.get_double(-0.1, 0.1), random.get_double(-0.1, 0.1));
+    const Point_3 q = p + Vector_3(random.get_double(-0.1, 0.1), random.get_double(-0.1, 0.1), random.get_double(-0.1, 0.1));
     value = (std::max)(value, std::abs(f(q) - g(image(q)) / scale));
     gradient = (std::max)(gradient, std::sqrt((f.gradient(q) - g.gradient(image(q))).squared_length()));
   }
@@ -304,11 +302,7 @@ void test_few_points()
   check_finite(f, {Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(0, 0, 1)});
 
   // a point alone has no distance to others
-  CHECK(!invalid_argument_message(
-             [] {
-               Function(Points_with_normals{{Point_3(1, 2, 3), Vector_3(0, 0, 1)}});
-             })
-             .empty());
+  CHECK(!invalid_argument_message([] { Function(Points_with_normals{{Point_3(1, 2, 3), Vector_3(0, 0, 1)}}); }).empty());
 
   // fewer points than polynomials, and up to where their number changes
   for (int n = 2; n <= 9; ++n)
@@ -504,9 +498,8 @@ struct Expected_patches
 // Coarse parts of machines are left to the input, animals are repaired where they fail. The signs are a test of the corpus.
 void test_self_check()
 {
-  for (const Expected_patches& expected :
-       {Expected_patches{"anchor", 5, 1000, 0}, Expected_patches{"cheese", 100, 1000, 0},
-        Expected_patches{"elephant", 0, 0, 1}, Expected_patches{"camel", 0, 0, 1}})
+  for (const Expected_patches& expected : {Expected_patches{"anchor", 5, 1000, 0}, Expected_patches{"cheese", 100, 1000, 0},
+                                           Expected_patches{"elephant", 0, 0, 1}, Expected_patches{"camel", 0, 0, 1}})
   {
     Mesh mesh;
     const std::string file = CGAL::data_file_path(std::string("meshes/") + expected.name + ".off");

@@ -30,9 +30,8 @@ typedef CGAL::Parallel_if_available_tag Tag;
 
 // `sigmas` are fractions of the diagonal
 template <typename Function>
-void test_surface(const char* name, const Mesh& input, const Function& function,
-                  const std::initializer_list<double> sigmas, const std::initializer_list<std::size_t> numbers_of_faces,
-                  const Bounds& bounds = Bounds())
+void test_surface(const char* name, const Mesh& input, const Function& function, const std::initializer_list<double> sigmas,
+                  const std::initializer_list<std::size_t> numbers_of_faces, const Bounds& bounds = Bounds())
 {
   for (const double sigma : sigmas)
     for (const std::size_t number_of_faces : numbers_of_faces)
@@ -80,8 +79,8 @@ void test_large_sigma()
       const auto test = [&](const std::string& name, const Mesh& input, const auto& function)
       {
         Mesh mesh = input;
-        CGAL::anisotropic_hde_remeshing<Tag>(
-            mesh, function, CGAL::parameters::relative_sigma(sigma).number_of_target_faces(number_of_faces));
+        CGAL::anisotropic_hde_remeshing<Tag>(mesh, function,
+                                             CGAL::parameters::relative_sigma(sigma).number_of_target_faces(number_of_faces));
         check_validity(name + ", sigma " + std::to_string(sigma) + " D", input, mesh, function);
         check_number_of_faces(mesh, number_of_faces);
       };
@@ -102,8 +101,8 @@ void test_scans()
     for (const double sigma : {0.005, 0.02, 0.05})
     {
       Mesh mesh = input;
-      CGAL::anisotropic_hde_remeshing<Tag>(
-          mesh, function, CGAL::parameters::relative_sigma(sigma).number_of_target_faces(20000));
+      CGAL::anisotropic_hde_remeshing<Tag>(mesh, function,
+                                           CGAL::parameters::relative_sigma(sigma).number_of_target_faces(20000));
       check_validity(std::string(name) + ", sigma " + std::to_string(sigma) + " D", input, mesh, function);
       check_number_of_faces(mesh, 20000);
     }
@@ -169,11 +168,9 @@ void test_scheme_of_the_paper()
                                                  .number_of_target_faces(number_of_faces));
     check_validity("scheme of the paper", input, mesh, Ellipsoid_function());
     CHECK(result.number_of_iterations == 10);
-    const Hde::Embedding_measures measures =
-        Hde::measure_embedding(mesh, Ellipsoid_function(),
-                               CGAL::parameters::sigma(result.sigma).target_edge_length(result.target_edge_length));
-    std::cout << "  within [.5, 1.5]: " << measures.share_within_half << ", angle " << measures.minimum_angle_mean
-              << std::endl;
+    const Hde::Embedding_measures measures = Hde::measure_embedding(
+        mesh, Ellipsoid_function(), CGAL::parameters::sigma(result.sigma).target_edge_length(result.target_edge_length));
+    std::cout << "  within [.5, 1.5]: " << measures.share_within_half << ", angle " << measures.minimum_angle_mean << std::endl;
     CHECK(measures.share_within_half >= 0.99);
   }
 }
@@ -204,8 +201,7 @@ void test_orientation()
   Mesh mesh = ellipsoid(3);
   PMP::reverse_face_orientations(mesh);
   const Mesh input = mesh;
-  CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(),
-                                       CGAL::parameters::sigma(0.5).number_of_target_faces(2000));
+  CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(), CGAL::parameters::sigma(0.5).number_of_target_faces(2000));
   CHECK(!PMP::is_outward_oriented(mesh));
   PMP::reverse_face_orientations(mesh);
   check_validity("reversed", input, mesh, Ellipsoid_function());

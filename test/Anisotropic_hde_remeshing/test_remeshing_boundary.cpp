@@ -64,8 +64,7 @@ Mesh remeshed(const std::string& name, const Mesh& input, const Function& functi
 {
   Mesh mesh = input;
   const Hde::Remeshing_result result = CGAL::anisotropic_hde_remeshing<Tag>(
-      mesh, function,
-      CGAL::parameters::sigma(sigma * bounding_box_diagonal(input)).number_of_target_faces(number_of_faces));
+      mesh, function, CGAL::parameters::sigma(sigma * bounding_box_diagonal(input)).number_of_target_faces(number_of_faces));
   check_validity(name + ", sigma " + std::to_string(sigma) + " D", input, mesh, function);
   check_number_of_faces(mesh, number_of_faces);
   check_quality(mesh, function, result, bounds_for_grids());
@@ -134,19 +133,16 @@ void test_tiny_meshes()
   for (const std::size_t number_of_faces : {1, 100})
   {
     Mesh mesh = triangle;
-    CGAL::anisotropic_hde_remeshing<Tag>(mesh, Plane_function(),
-                                         CGAL::parameters::number_of_target_faces(number_of_faces));
+    CGAL::anisotropic_hde_remeshing<Tag>(mesh, Plane_function(), CGAL::parameters::number_of_target_faces(number_of_faces));
     check_validity("triangle", triangle, mesh, Plane_function());
     check_boundary(triangle, mesh, 1e-12);
   }
   Mesh open_tetrahedron;
-  CGAL::make_tetrahedron(Point_3(1, 1, 1), Point_3(-1, -1, 1), Point_3(-1, 1, -1), Point_3(1, -1, -1),
-                         open_tetrahedron);
+  CGAL::make_tetrahedron(Point_3(1, 1, 1), Point_3(-1, -1, 1), Point_3(-1, 1, -1), Point_3(1, -1, -1), open_tetrahedron);
   CGAL::Euler::remove_face(halfedge(*faces(open_tetrahedron).begin(), open_tetrahedron), open_tetrahedron);
   open_tetrahedron.collect_garbage();
   Mesh mesh = open_tetrahedron;
-  CGAL::anisotropic_hde_remeshing<Tag>(mesh, Sphere_function{std::sqrt(3.)},
-                                       CGAL::parameters::number_of_target_faces(500));
+  CGAL::anisotropic_hde_remeshing<Tag>(mesh, Sphere_function{std::sqrt(3.)}, CGAL::parameters::number_of_target_faces(500));
   CHECK(CGAL::is_valid_polygon_mesh(mesh));
   CHECK(Hde::measure_topology(mesh).euler_characteristic == 1);
   check_boundary(open_tetrahedron, mesh, 1e-12);

@@ -109,8 +109,8 @@ void test_face_range(const std::string& name, const TriangleMesh& input, const F
         range.insert(f);
     const Rest<TriangleMesh> rest(mesh, range);
     const std::size_t wanted = std::size_t(factor * double(range.size()));
-    CGAL::anisotropic_hde_remeshing<Tag>(
-        range, mesh, function, CGAL::parameters::relative_sigma(0.03).number_of_target_faces(wanted));
+    CGAL::anisotropic_hde_remeshing<Tag>(range, mesh, function,
+                                         CGAL::parameters::relative_sigma(0.03).number_of_target_faces(wanted));
     rest.check(mesh);
     check_validity(name + ", " + std::to_string(wanted) + " of " + std::to_string(num_faces(input)), input, mesh, function);
     const double count = double(number_of_faces_of(mesh)) - double(rest.faces.size());
@@ -124,14 +124,13 @@ void test_face_ranges()
 {
   const auto upper = [](const Point_3& p) { return p.z() + 0.3 * p.x() > 0.1; };
   test_face_range("upper part", ellipsoid(3), Ellipsoid_function(), upper);
-  test_face_range("upper part of a polyhedron", to_mesh<Polyhedron>(scaled(icosphere_soup(3), 1, 2, 5)),
-                  Ellipsoid_function(), upper);
+  test_face_range("upper part of a polyhedron", to_mesh<Polyhedron>(scaled(icosphere_soup(3), 1, 2, 5)), Ellipsoid_function(),
+                  upper);
   // with a part of the boundary, and in several pieces
   test_face_range("stripes", hills(30), Hills_function(),
                   [](const Point_3& p) { return std::sin(6 * (p.x() + 0.7 * p.y())) > 0.2; });
   // all but a hole
-  test_face_range("all but a spot", ellipsoid(3), Ellipsoid_function(),
-                  [](const Point_3& p) { return p.z() < 4; });
+  test_face_range("all but a spot", ellipsoid(3), Ellipsoid_function(), [](const Point_3& p) { return p.z() < 4; });
 }
 
 // faces of a range that touch in a vertex only, the whole mesh as a range, one face, and none
@@ -147,8 +146,7 @@ void test_odd_face_ranges()
       if (++k % 3 != 0) // two pairs
         range.insert(mesh.face(h));
     const Rest<Mesh> rest(mesh, range);
-    CGAL::anisotropic_hde_remeshing<Tag>(range, mesh, Ellipsoid_function(),
-                                         CGAL::parameters::number_of_target_faces(60));
+    CGAL::anisotropic_hde_remeshing<Tag>(range, mesh, Ellipsoid_function(), CGAL::parameters::number_of_target_faces(60));
     rest.check(mesh);
     check_validity("faces about a vertex", input, mesh, Ellipsoid_function());
     CHECK(mesh.number_of_faces() > input.number_of_faces());
@@ -170,8 +168,7 @@ void test_odd_face_ranges()
   {
     Mesh mesh = input;
     const std::vector<Mesh::Face_index> none;
-    CHECK(contains(invalid_argument_message(
-                       [&] { CGAL::anisotropic_hde_remeshing<Tag>(none, mesh, Ellipsoid_function()); }),
+    CHECK(contains(invalid_argument_message([&] { CGAL::anisotropic_hde_remeshing<Tag>(none, mesh, Ellipsoid_function()); }),
                    "no faces"));
   }
   {
@@ -202,8 +199,7 @@ void mark_lines(const Mesh& mesh, Mesh::Property_map<Mesh::Edge_index, bool>& is
   for (const Mesh::Edge_index e : mesh.edges())
   {
     const Point_3 &p = mesh.point(mesh.vertex(e, 0)), &q = mesh.point(mesh.vertex(e, 1));
-    is_constrained[e] = (on(p.x(), 1) && on(q.x(), 1)) ||
-                        (on(p.y(), 0.5) && on(q.y(), 0.5) && (std::max)(p.x(), q.x()) < 0.61);
+    is_constrained[e] = (on(p.x(), 1) && on(q.x(), 1)) || (on(p.y(), 0.5) && on(q.y(), 0.5) && (std::max)(p.x(), q.x()) < 0.61);
   }
 }
 
@@ -219,8 +215,8 @@ void test_constrained_edges()
     const auto np = CGAL::parameters::relative_sigma(0.02).number_of_target_faces(number_of_faces);
     CGAL::anisotropic_hde_remeshing<Tag>(mesh, Hills_function(), np.edge_is_constrained_map(is_constrained));
     const Polyline after = constrained_edges(mesh, is_constrained);
-    std::cout << "constrained edges: " << before.size() << " -> " << after.size() << ", length " << length(before)
-              << " -> " << length(after) << std::endl;
+    std::cout << "constrained edges: " << before.size() << " -> " << after.size() << ", length " << length(before) << " -> "
+              << length(after) << std::endl;
     CHECK(CGAL::is_valid_polygon_mesh(mesh));
     check_number_of_faces(mesh, number_of_faces);
     if (number_of_faces != input.number_of_faces())
@@ -288,9 +284,9 @@ void test_constrained_vertices()
         is_constrained[v] = true;
         kept.emplace(v, mesh.point(v));
       }
-    CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(),
-                                         CGAL::parameters::number_of_target_faces(number_of_faces)
-                                             .vertex_is_constrained_map(is_constrained));
+    CGAL::anisotropic_hde_remeshing<Tag>(
+        mesh, Ellipsoid_function(),
+        CGAL::parameters::number_of_target_faces(number_of_faces).vertex_is_constrained_map(is_constrained));
     CHECK(CGAL::is_valid_polygon_mesh(mesh));
     CHECK(CGAL::is_closed(mesh));
     std::size_t number_of_kept = 0, number_of_marked = 0;
@@ -311,8 +307,8 @@ Polyline patch_borders(const TriangleMesh& mesh, const PatchMap& patch)
 {
   Polyline result;
   for (const auto e : edges(mesh))
-    if (!is_border(e, mesh) && get(patch, face(halfedge(e, mesh), mesh)) !=
-                                   get(patch, face(opposite(halfedge(e, mesh), mesh), mesh)))
+    if (!is_border(e, mesh) &&
+        get(patch, face(halfedge(e, mesh), mesh)) != get(patch, face(opposite(halfedge(e, mesh), mesh), mesh)))
       result.push_back(segment<TriangleMesh>(e, mesh));
   return result;
 }
@@ -361,8 +357,7 @@ void test_face_patches()
   for (const std::size_t number_of_faces : {700, 5000})
   {
     Mesh mesh = ellipsoid(4);
-    test_patches("patches", mesh, mesh.add_property_map<Mesh::Face_index, std::string>("f:patch").first,
-                 number_of_faces);
+    test_patches("patches", mesh, mesh.add_property_map<Mesh::Face_index, std::string>("f:patch").first, number_of_faces);
     Polyhedron polyhedron = to_mesh<Polyhedron>(scaled(icosphere_soup(4), 1, 2, 5));
     test_patches("patches of a polyhedron", polyhedron, get(CGAL::dynamic_face_property_t<std::string>(), polyhedron),
                  number_of_faces);

@@ -59,8 +59,8 @@ void test_invalid_meshes()
   CHECK(!message_of(only_isolated, none).empty());
 
   Mesh cube;
-  CGAL::make_hexahedron(Point_3(-1, -1, -1), Point_3(1, -1, -1), Point_3(1, 1, -1), Point_3(-1, 1, -1),
-                        Point_3(-1, 1, 1), Point_3(-1, -1, 1), Point_3(1, -1, 1), Point_3(1, 1, 1), cube);
+  CGAL::make_hexahedron(Point_3(-1, -1, -1), Point_3(1, -1, -1), Point_3(1, 1, -1), Point_3(-1, 1, -1), Point_3(-1, 1, 1),
+                        Point_3(-1, -1, 1), Point_3(1, -1, 1), Point_3(1, 1, 1), cube);
   CHECK(contains(message_of(cube, none), "not a triangle"));
   CHECK(contains(message_of_one_call(cube, none), "not a triangle"));
 
@@ -130,8 +130,7 @@ void test_bad_geometry()
   const std::size_t n = twice.points.size(), number_of_triangles = twice.triangles.size();
   twice.points.insert(twice.points.end(), twice.points.begin(), twice.points.begin() + std::ptrdiff_t(n));
   for (std::size_t i = 0; i < number_of_triangles; ++i)
-    twice.triangles.push_back(
-        {n + twice.triangles[i][0], n + twice.triangles[i][1], n + twice.triangles[i][2]});
+    twice.triangles.push_back({n + twice.triangles[i][0], n + twice.triangles[i][1], n + twice.triangles[i][2]});
   check("duplicate faces", to_mesh(twice));
 
   // spheres that intersect each other
@@ -139,8 +138,7 @@ void test_bad_geometry()
   for (std::size_t i = 0; i < n; ++i)
     crossing.points.push_back(crossing.points[i] + Vector_3(0.9, 0, 0));
   for (std::size_t i = 0; i < number_of_triangles; ++i)
-    crossing.triangles.push_back(
-        {n + crossing.triangles[i][0], n + crossing.triangles[i][1], n + crossing.triangles[i][2]});
+    crossing.triangles.push_back({n + crossing.triangles[i][0], n + crossing.triangles[i][1], n + crossing.triangles[i][2]});
   check("self-intersections", to_mesh(crossing));
 }
 
@@ -215,10 +213,7 @@ struct Throwing_function : Ellipsoid_function
 struct Nan_function : Ellipsoid_function
 {
   FT operator()(const Point_3& p) const { return p.z() > 3 ? nan_value : Ellipsoid_function::operator()(p); }
-  Vector_3 gradient(const Point_3& p) const
-  {
-    return p.z() > 3 ? Vector_3(nan_value, 0, 0) : Ellipsoid_function::gradient(p);
-  }
+  Vector_3 gradient(const Point_3& p) const { return p.z() > 3 ? Vector_3(nan_value, 0, 0) : Ellipsoid_function::gradient(p); }
 };
 
 struct Zero_function : Ellipsoid_function
@@ -250,8 +245,7 @@ void check_survival(const char* name, const Function& function)
     CHECK(digest(mesh) == digest(input));
     return;
   }
-  std::cout << name << ": " << num_faces(mesh) << " faces, closest points " << result.projections.closest_point
-            << std::endl;
+  std::cout << name << ": " << num_faces(mesh) << " faces, closest points " << result.projections.closest_point << std::endl;
   CHECK(CGAL::is_valid_polygon_mesh(mesh));
   CHECK(CGAL::is_closed(mesh));
   CHECK(Hde::measure_topology(mesh).euler_characteristic == 2);

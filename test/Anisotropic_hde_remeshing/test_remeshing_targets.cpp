@@ -42,8 +42,8 @@ void test_numbers_of_faces(const std::string& name, const Mesh& input, const dou
   {
     Mesh mesh = input;
     const std::size_t wanted = std::size_t(factor * double(input.number_of_faces()));
-    CGAL::anisotropic_hde_remeshing<Tag>(
-        mesh, function, CGAL::parameters::relative_sigma(relative_sigma).number_of_target_faces(wanted));
+    CGAL::anisotropic_hde_remeshing<Tag>(mesh, function,
+                                         CGAL::parameters::relative_sigma(relative_sigma).number_of_target_faces(wanted));
     std::cout << name << ": asked " << wanted << ", got " << mesh.number_of_faces() << std::endl;
     CHECK_CLOSE(mesh.number_of_faces(), wanted, 0.01 * double(wanted));
     CHECK(CGAL::is_valid_polygon_mesh(mesh));
@@ -66,8 +66,7 @@ void test_lengths()
     CGAL::anisotropic_hde_remeshing<Tag>(absolute, Ellipsoid_function(),
                                          CGAL::parameters::sigma(0.05 * diagonal).target_edge_length(length));
     const Hde::Remeshing_result result = CGAL::anisotropic_hde_remeshing<Tag>(
-        relative, Ellipsoid_function(),
-        CGAL::parameters::relative_sigma(0.05).relative_target_edge_length(length / diagonal));
+        relative, Ellipsoid_function(), CGAL::parameters::relative_sigma(0.05).relative_target_edge_length(length / diagonal));
     CHECK_CLOSE(absolute.number_of_faces(), number_of_faces, 0.02 * double(number_of_faces));
     CHECK_CLOSE(relative.number_of_faces(), number_of_faces, 0.02 * double(number_of_faces));
     CHECK_CLOSE(result.target_edge_length, length, 1e-12 * length);
@@ -100,8 +99,8 @@ Figures remeshed(Mesh mesh, const Transformation& transformation, const double f
       CGAL::parameters::relative_sigma(0.02).number_of_target_faces(std::size_t(factor * double(num_faces(mesh)))));
   CHECK(CGAL::is_valid_polygon_mesh(mesh));
   return {mesh.number_of_faces(),
-          Hde::measure_embedding(
-              mesh, function, CGAL::parameters::sigma(result.sigma).target_edge_length(result.target_edge_length)),
+          Hde::measure_embedding(mesh, function,
+                                 CGAL::parameters::sigma(result.sigma).target_edge_length(result.target_edge_length)),
           connectivity(mesh)};
 }
 
@@ -130,12 +129,12 @@ void test_units(const std::string& name, const Mesh& input)
     }
     for (const double scale : {1e-6, 1e6})
       check_same_quality(name + " scaled", remeshed(input, Transformation(CGAL::SCALING, scale), factor), expected);
-    check_same_quality(
-        name + " far away",
-        remeshed(input, Transformation(CGAL::TRANSLATION, Vector_3(600, 600, -600) * diagonal), factor), expected);
+    check_same_quality(name + " far away",
+                       remeshed(input, Transformation(CGAL::TRANSLATION, Vector_3(600, 600, -600) * diagonal), factor),
+                       expected);
     const double c = std::cos(0.7), s = std::sin(0.7);
-    check_same_quality(name + " rotated",
-                       remeshed(input, Transformation(c, -s * c, s * s, s, c * c, -c * s, 0, s, c), factor), expected);
+    check_same_quality(name + " rotated", remeshed(input, Transformation(c, -s * c, s * s, s, c * c, -c * s, 0, s, c), factor),
+                       expected);
   }
 }
 

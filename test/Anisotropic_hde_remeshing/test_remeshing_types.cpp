@@ -47,8 +47,8 @@ Mesh to_plain_mesh(const TriangleMesh& mesh, const PointMap points)
   for (const auto f : faces(mesh))
   {
     const auto h = halfedge(f, mesh);
-    soup.triangles.push_back({indices.at(source(h, mesh)), indices.at(target(h, mesh)),
-                              indices.at(target(next(h, mesh), mesh))});
+    soup.triangles.push_back(
+        {indices.at(source(h, mesh)), indices.at(target(h, mesh)), indices.at(target(next(h, mesh), mesh))});
   }
   return to_mesh(soup);
 }
@@ -58,8 +58,8 @@ TriangleMesh input()
 {
   TriangleMesh mesh;
   const Soup soup = scaled(icosphere_soup(2), 1, 2, 5);
-  typedef typename boost::property_traits<
-      typename boost::property_map<TriangleMesh, CGAL::vertex_point_t>::type>::value_type Point;
+  typedef
+      typename boost::property_traits<typename boost::property_map<TriangleMesh, CGAL::vertex_point_t>::type>::value_type Point;
   std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> descriptors;
   for (const Point_3& p : soup.points)
   {
@@ -67,9 +67,10 @@ TriangleMesh input()
     put(CGAL::vertex_point, mesh, descriptors.back(), Point(p.x(), p.y(), p.z()));
   }
   for (const auto& t : soup.triangles)
-    CGAL::Euler::add_face(std::array<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, 3>{
-                              {descriptors[t[0]], descriptors[t[1]], descriptors[t[2]]}},
-                          mesh);
+    CGAL::Euler::add_face(
+        std::array<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, 3>{
+            {descriptors[t[0]], descriptors[t[1]], descriptors[t[2]]}},
+        mesh);
   return mesh;
 }
 
@@ -79,8 +80,8 @@ void test_type(const std::string& name, std::uint64_t& expected)
 {
   TriangleMesh mesh = input<TriangleMesh>();
   const Mesh before = to_plain_mesh(mesh, get(CGAL::vertex_point, mesh));
-  const auto result = CGAL::anisotropic_hde_remeshing<Tag>(
-      mesh, CGAL::parameters::relative_sigma(0.05).number_of_target_faces(1000));
+  const auto result =
+      CGAL::anisotropic_hde_remeshing<Tag>(mesh, CGAL::parameters::relative_sigma(0.05).number_of_target_faces(1000));
   CHECK(result.number_of_iterations == 10);
   CHECK(CGAL::is_valid_polygon_mesh(mesh));
   const Mesh after = to_plain_mesh(mesh, get(CGAL::vertex_point, mesh));
@@ -105,8 +106,7 @@ void test_external_points(const std::string& name, const std::uint64_t expected)
   }
   const boost::associative_property_map<std::map<Vertex, Cartesian::Point_3>> point_map(points);
   CGAL::anisotropic_hde_remeshing(
-      mesh,
-      CGAL::parameters::relative_sigma(0.05).number_of_target_faces(1000).vertex_point_map(point_map));
+      mesh, CGAL::parameters::relative_sigma(0.05).number_of_target_faces(1000).vertex_point_map(point_map));
   CHECK(CGAL::is_valid_polygon_mesh(mesh));
   std::cout << name << std::endl;
   CHECK(digest(to_plain_mesh(mesh, point_map)) == expected);

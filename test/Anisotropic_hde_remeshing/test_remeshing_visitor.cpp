@@ -59,8 +59,7 @@ void test_visitor()
   const Mesh input = ellipsoid(3);
   Record record;
   Mesh mesh = input;
-  CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(),
-                                       CGAL::parameters::visitor(Recording_visitor(record)));
+  CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(), CGAL::parameters::visitor(Recording_visitor(record)));
   check_record(record, true);
   CHECK(record.stages == std::vector<Hde::Stage>({Hde::Stage::PROJECTION, Hde::Stage::REMESHING, Hde::Stage::OUTPUT}));
   CHECK(record.shares.size() >= 10);
@@ -129,8 +128,7 @@ void test_throwing_visitor()
   std::size_t all = 0;
   {
     Mesh mesh = input;
-    CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(),
-                                         CGAL::parameters::visitor(Throwing_visitor(all, 0)));
+    CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(), CGAL::parameters::visitor(Throwing_visitor(all, 0)));
   }
   CHECK(all > 20);
   // at the first calls, some in the middle, the last ones
@@ -138,9 +136,9 @@ void test_throwing_visitor()
   {
     Mesh mesh = input;
     std::size_t calls = 0;
-    CHECK_THROWS(CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(),
-                                                      CGAL::parameters::visitor(Throwing_visitor(calls, n))),
-                 Stop);
+    CHECK_THROWS(
+        CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(), CGAL::parameters::visitor(Throwing_visitor(calls, n))),
+        Stop);
     CHECK(digest(mesh) == digest(input));
   }
 }
@@ -151,10 +149,7 @@ void test_throwing_visitor()
 
 typedef std::chrono::steady_clock Clock;
 
-double seconds_since(const Clock::time_point begin)
-{
-  return std::chrono::duration<double>(Clock::now() - begin).count();
-}
+double seconds_since(const Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
 // says no after some seconds, and remembers when
 struct Late_visitor : Hde::Remeshing_visitor
@@ -197,8 +192,8 @@ void test_latency(const std::string& name, const Mesh& input, const Remesh& reme
       best = result.was_stopped ? (std::min)(best, seconds_since(answer)) : 0; // or it was faster this time
       CHECK(CGAL::is_valid_polygon_mesh(mesh));
       CHECK(CGAL::is_closed(mesh));
-      const Hde::Zero_set_measures distance = Hde::measure_distance_to_zero_set(
-          mesh, Ellipsoid_function(), CGAL::parameters::number_of_points_on_faces(1000));
+      const Hde::Zero_set_measures distance =
+          Hde::measure_distance_to_zero_set(mesh, Ellipsoid_function(), CGAL::parameters::number_of_points_on_faces(1000));
       CHECK(distance.interior_vertex_max <= 1e-6 * bounding_box_diagonal(input)); // of the radial basis functions
       CHECK(Hde::measure_embedding(mesh, Ellipsoid_function()).number_of_folded_faces == 0);
     }

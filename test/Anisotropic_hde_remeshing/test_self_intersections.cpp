@@ -85,9 +85,10 @@ void test_pairs(const std::size_t number_of_shared, const int number_of_coordina
 void test_guard()
 {
   // a floor and a tent over it
-  const std::vector<Point_3> points = {{-9, -9, 0}, {9, -9, 0}, {0, 9, 0}, {-1, 0, 1}, {1, 0, 1}, {0, 1, 2}, {0, 0, -1}, {0, -1, 1}};
-  const Indexed_triangle floor = triangle(points, {0, 1, 2}), above = triangle(points, {3, 4, 5}), through = triangle(points, {3, 4, 6}),
-                         beside = triangle(points, {3, 7, 4});
+  const std::vector<Point_3> points = {{-9, -9, 0}, {9, -9, 0}, {0, 9, 0},  {-1, 0, 1},
+                                       {1, 0, 1},   {0, 1, 2},  {0, 0, -1}, {0, -1, 1}};
+  const Indexed_triangle floor = triangle(points, {0, 1, 2}), above = triangle(points, {3, 4, 5}),
+                         through = triangle(points, {3, 4, 6}), beside = triangle(points, {3, 7, 4});
   Hde::internal::Intersection_guard guard;
   guard.assign({floor, above}, {1, 1});
   const std::vector<std::size_t> only_above = {1};
@@ -115,8 +116,8 @@ void test_sheets()
     const Function function(input);
     for (const double factor : {0.3, 1., 3.})
     {
-      const auto np = CGAL::parameters::relative_sigma(0.02).number_of_target_faces(
-          std::size_t(factor * double(input.number_of_faces())));
+      const auto np =
+          CGAL::parameters::relative_sigma(0.02).number_of_target_faces(std::size_t(factor * double(input.number_of_faces())));
       Mesh mesh = input, tested = input, again = input;
       CGAL::anisotropic_hde_remeshing<CGAL::Parallel_if_available_tag>(mesh, function, np);
       CGAL::anisotropic_hde_remeshing<CGAL::Parallel_if_available_tag>(tested, function, np.do_self_intersection_tests(true));

@@ -72,10 +72,9 @@ void test_surface_mesh()
   {
     Mesh mesh = input;
     auto locations = mesh.add_property_map<Mesh::Vertex_index, Hde::Input_location>("v:location").first;
-    CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(),
-                                         CGAL::parameters::relative_sigma(0.05)
-                                             .number_of_target_faces(number_of_faces)
-                                             .vertex_location_map(locations));
+    CGAL::anisotropic_hde_remeshing<Tag>(
+        mesh, Ellipsoid_function(),
+        CGAL::parameters::relative_sigma(0.05).number_of_target_faces(number_of_faces).vertex_location_map(locations));
     check_locations(input, mesh, locations);
   }
 }
@@ -85,9 +84,8 @@ void test_polyhedron()
   Polyhedron mesh = to_mesh<Polyhedron>(scaled(icosphere_soup(3), 1, 2, 5));
   const Polyhedron input = mesh; // copy_face_graph() would change the order of its elements
   const auto locations = get(CGAL::dynamic_vertex_property_t<Hde::Input_location>(), mesh);
-  CGAL::anisotropic_hde_remeshing<Tag>(
-      mesh, Ellipsoid_function(),
-      CGAL::parameters::number_of_target_faces(3000).vertex_location_map(locations));
+  CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(),
+                                       CGAL::parameters::number_of_target_faces(3000).vertex_location_map(locations));
   check_locations(input, mesh, locations);
 }
 
@@ -101,9 +99,8 @@ void test_face_range()
     if (mesh.point(mesh.target(mesh.halfedge(f))).z() > 0)
       range.push_back(f);
   auto locations = mesh.add_property_map<Mesh::Vertex_index, Hde::Input_location>("v:location").first;
-  CGAL::anisotropic_hde_remeshing<Tag>(
-      range, mesh, Ellipsoid_function(),
-      CGAL::parameters::number_of_target_faces(3000).vertex_location_map(locations));
+  CGAL::anisotropic_hde_remeshing<Tag>(range, mesh, Ellipsoid_function(),
+                                       CGAL::parameters::number_of_target_faces(3000).vertex_location_map(locations));
   double farthest = 0;
   std::size_t number_of_located = 0;
   const auto foot = mesh.add_property_map<Mesh::Vertex_index, Point_3>("v:foot").first;
@@ -136,10 +133,10 @@ void test_values()
                     weights) == Kernel::Point_2(1, 1));
   typedef std::array<double, 2> Uv;
   CHECK(interpolate(std::array<Uv, 3>{{Uv{{1, 0}}, Uv{{0, 2}}, Uv{{2, 2}}}}, weights) == Uv{{1, 1}});
-  const CGAL::IO::Color color = interpolate(std::array<CGAL::IO::Color, 3>{{CGAL::IO::Color(200, 0, 0, 100),
-                                                                            CGAL::IO::Color(0, 100, 0, 100),
-                                                                            CGAL::IO::Color(0, 0, 40, 100)}},
-                                            weights);
+  const CGAL::IO::Color color =
+      interpolate(std::array<CGAL::IO::Color, 3>{{CGAL::IO::Color(200, 0, 0, 100), CGAL::IO::Color(0, 100, 0, 100),
+                                                  CGAL::IO::Color(0, 0, 40, 100)}},
+                  weights);
   CHECK(color == CGAL::IO::Color(100, 25, 10, 100));
 }
 
@@ -151,9 +148,9 @@ void test_wrong_location()
   auto locations = output.add_property_map<Mesh::Vertex_index, Hde::Input_location>("v:location").first;
   auto values = output.add_property_map<Mesh::Vertex_index, Point_3>("v:value").first;
   locations[v].face = 20;
-  CHECK(contains(invalid_argument_message(
-                     [&] { Hde::transfer_vertex_property(input, input.points(), output, locations, values); }),
-                 "is 20"));
+  CHECK(contains(
+      invalid_argument_message([&] { Hde::transfer_vertex_property(input, input.points(), output, locations, values); }),
+      "is 20"));
 }
 
 int main()

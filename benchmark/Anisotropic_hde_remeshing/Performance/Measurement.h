@@ -83,8 +83,8 @@ Measurement measure(const Case& c, const double isotropic_length, const int numb
       continue;
     m.number_of_faces = mesh.number_of_faces();
     m.isotropic_faces = isotropic.number_of_faces();
-    m.embedding = Hde::measure_embedding<Tag>(
-        mesh, function, CGAL::parameters::sigma(sigma).target_edge_length(result.target_edge_length));
+    m.embedding = Hde::measure_embedding<Tag>(mesh, function,
+                                              CGAL::parameters::sigma(sigma).target_edge_length(result.target_edge_length));
     const double diagonal = shapes::bounding_box_diagonal(c.input);
     m.relative_rms = Hde::measure_distance_to_zero_set<Tag>(mesh, function).face_rms / diagonal;
     m.isotropic_rms = Hde::measure_distance_to_zero_set<Tag>(isotropic, function).face_rms / diagonal;

@@ -101,8 +101,8 @@ void add(Table& table, const Case& c, const Measurement& m, const std::string& a
   table.add(c.name, c.input.number_of_faces(), m.number_of_faces, c.relative_sigma, m.function_seconds, m.remeshing_seconds,
             m.isotropic_seconds, m.isotropic_faces, m.ratio(), asked, m.megabytes, m.isotropic_megabytes,
             1000 * m.megabytes / double(c.input.number_of_faces() + m.number_of_faces),
-            text(100 * m.embedding.share_within_sqrt_2) + "%", m.embedding.minimum_angle_mean, m.relative_rms,
-            m.isotropic_rms, m.embedding.number_of_folded_faces);
+            text(100 * m.embedding.share_within_sqrt_2) + "%", m.embedding.minimum_angle_mean, m.relative_rms, m.isotropic_rms,
+            m.embedding.number_of_folded_faces);
   std::cerr << '.' << std::flush; // it goes on
 }
 

@@ -155,10 +155,16 @@ void projection(benchmark::State& state)
 }
 BENCHMARK(projection);
 
-void splits(benchmark::State& state) { run(state, [](Working_mesh& mesh) { scene().split(mesh); }); }
+void splits(benchmark::State& state)
+{
+  run(state, [](Working_mesh& mesh) { scene().split(mesh); });
+}
 BENCHMARK(splits)->UseRealTime()->Unit(benchmark::kMillisecond);
 
-void contractions(benchmark::State& state) { run(state, [](Working_mesh& mesh) { scene().collapse(mesh); }); }
+void contractions(benchmark::State& state)
+{
+  run(state, [](Working_mesh& mesh) { scene().collapse(mesh); });
+}
 BENCHMARK(contractions)->UseRealTime()->Unit(benchmark::kMillisecond);
 
 void flips_for_valence(benchmark::State& state)

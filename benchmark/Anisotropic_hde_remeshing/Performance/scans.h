@@ -44,8 +44,7 @@ inline shapes::Mesh resampled_scan(const shapes::Mesh& scan, const Rbf_function&
   CGAL::anisotropic_hde_remeshing<CGAL::Parallel_if_available_tag>(
       mesh, function, CGAL::parameters::number_of_target_faces(number_of_faces / 16));
   CGAL::Subdivision_method_3::Loop_subdivision(mesh, CGAL::parameters::number_of_iterations(2));
-  CGAL::anisotropic_hde_remeshing<CGAL::Parallel_if_available_tag>(mesh, function,
-                                                                   CGAL::parameters::number_of_iterations(0));
+  CGAL::anisotropic_hde_remeshing<CGAL::Parallel_if_available_tag>(mesh, function, CGAL::parameters::number_of_iterations(0));
   return mesh;
 }
 

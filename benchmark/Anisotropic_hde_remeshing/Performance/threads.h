@@ -30,8 +30,7 @@ typedef std::vector<std::pair<std::string, double>> Stage_seconds;
 
 inline Stage_seconds stages_of(const Hde::Remeshing_result& result)
 {
-  const double operations =
-      result.split_seconds + result.collapse_seconds + result.flip_seconds + result.smoothing_seconds;
+  const double operations = result.split_seconds + result.collapse_seconds + result.flip_seconds + result.smoothing_seconds;
   return {{"implicit function", result.implicit_function_seconds},
           {"projection", result.projection_seconds},
           {"splits", result.split_seconds},

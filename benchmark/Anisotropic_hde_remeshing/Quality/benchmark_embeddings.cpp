@@ -79,11 +79,7 @@ void run(const Mesh& input, const Mesh& fine, const Function& function, const Di
 {
   Mesh mesh = input;
   Hde::Remeshing_result result;
-  const double seconds = seconds_of(
-      [&]
-      {
-        result = CGAL::anisotropic_hde_remeshing<Tag>(mesh, function, np);
-      });
+  const double seconds = seconds_of([&] { result = CGAL::anisotropic_hde_remeshing<Tag>(mesh, function, np); });
   const double diagonal = bounding_box_diagonal(fine);
   const Hde::Topology_measures topology = Hde::measure_topology(mesh);
   const Hde::Zero_set_measures from_faces = Hde::measure_distance_to_zero_set<Tag>(mesh, exact);
@@ -102,8 +98,8 @@ void run(const Mesh& input, const Mesh& fine, const Function& function, const Di
     const double error = std::stod(name.substr(1)) * diagonal;
     const std::size_t isotropic = isotropic_faces_for(input, exact, error);
     std::cout << "  error at most " << std::scientific << result.approximation_error / diagonal << std::fixed
-              << ", faces over the bound's " << error / bounds.max_on_surface << ", over the "
-              << isotropic << " of isotropic_remeshing " << double(mesh.number_of_faces()) / double(isotropic);
+              << ", faces over the bound's " << error / bounds.max_on_surface << ", over the " << isotropic
+              << " of isotropic_remeshing " << double(mesh.number_of_faces()) / double(isotropic);
   }
   std::cout << std::setprecision(2) << "  " << seconds << " s" << std::endl;
 }
@@ -115,7 +111,8 @@ void run(const Mesh& input, const Mesh& fine, const Function& function, const Di
   const auto run_embedding = [&](const auto& embedding)
   {
     run(input, fine, function, exact, name,
-        CGAL::parameters::embedding(embedding).number_of_target_faces(faces).fit_to_surface(name.back() == 'f' && name != "pinf"));
+        CGAL::parameters::embedding(embedding).number_of_target_faces(faces).fit_to_surface(name.back() == 'f' &&
+                                                                                            name != "pinf"));
   };
   if (name.substr(0, 4) == "auto")
     run_embedding(Hde::Adaptive_normal_embedding());

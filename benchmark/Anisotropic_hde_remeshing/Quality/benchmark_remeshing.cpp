@@ -77,7 +77,8 @@ Options parse(const std::vector<std::string>& arguments)
     else
       positional.push_back(arguments[i]);
   if (positional.size() != 3)
-    throw std::invalid_argument("usage: benchmark_remeshing MESH|ellipsoid|torus|coarse-ellipsoid FACES[%] SIGMA [--iso] [--runs N]");
+    throw std::invalid_argument(
+        "usage: benchmark_remeshing MESH|ellipsoid|torus|coarse-ellipsoid FACES[%] SIGMA [--iso] [--runs N]");
   options.mesh = positional[0];
   options.faces = positional[1];
   options.sigma = std::stod(positional[2]);
@@ -108,12 +109,12 @@ void print_figures(const Mesh& input, const Mesh& mesh, const std::size_t wanted
   std::cout << " faces=" << after.number_of_faces << " vertices=" << after.number_of_vertices
             << " count_error=" << 100 * (double(after.number_of_faces) / double(wanted) - 1) << "%"
             << " self_intersections=" << intersections.size() << " loops=" << before.number_of_boundary_loops << "->"
-            << after.number_of_boundary_loops << " euler=" << before.euler_characteristic << "->"
-            << after.euler_characteristic << " components=" << before.number_of_components << "->"
-            << after.number_of_components << " valence_6=" << after.valence_6_share
-            << " splits=" << result.number_of_splits << " collapses=" << result.number_of_collapses
-            << " flips=" << result.number_of_flips << " projections=" << result.projections.newton << "/"
-            << result.projections.bisection << "/" << result.projections.closest_point;
+            << after.number_of_boundary_loops << " euler=" << before.euler_characteristic << "->" << after.euler_characteristic
+            << " components=" << before.number_of_components << "->" << after.number_of_components
+            << " valence_6=" << after.valence_6_share << " splits=" << result.number_of_splits
+            << " collapses=" << result.number_of_collapses << " flips=" << result.number_of_flips
+            << " projections=" << result.projections.newton << "/" << result.projections.bisection << "/"
+            << result.projections.closest_point;
 }
 
 template <typename Function>
@@ -125,12 +126,11 @@ void print_figures_of_embedding(const Mesh& input, const Mesh& mesh, const Funct
       mesh, function, CGAL::parameters::sigma(result.sigma).target_edge_length(result.target_edge_length));
   const Hde::Shape_measures shape = Hde::measure_shape(mesh);
   const Hde::Zero_set_measures distance = Hde::measure_distance_to_zero_set<Tag>(mesh, function);
-  std::cout << " folds=" << embedding.number_of_folded_faces
-            << " lengths[.7,1.41]=" << 100 * embedding.share_within_sqrt_2
-            << "% lengths[.5,1.5]=" << 100 * embedding.share_within_half
-            << "% mean_angle=" << embedding.minimum_angle_mean << " least_angle=" << embedding.minimum_angle_least
-            << " q_mean=" << shape.aspect_ratio_mean << " q_p99=" << shape.aspect_ratio_p99
-            << " q_Gamma=" << shape.aspect_ratio_max << " vertex/D=" << distance.interior_vertex_max / diagonal
+  std::cout << " folds=" << embedding.number_of_folded_faces << " lengths[.7,1.41]=" << 100 * embedding.share_within_sqrt_2
+            << "% lengths[.5,1.5]=" << 100 * embedding.share_within_half << "% mean_angle=" << embedding.minimum_angle_mean
+            << " least_angle=" << embedding.minimum_angle_least << " q_mean=" << shape.aspect_ratio_mean
+            << " q_p99=" << shape.aspect_ratio_p99 << " q_Gamma=" << shape.aspect_ratio_max
+            << " vertex/D=" << distance.interior_vertex_max / diagonal
             << " boundary_vertex/D=" << distance.boundary_vertex_max / diagonal
             << " face_rms/D=" << distance.face_rms / diagonal << " face_max/D=" << distance.face_max / diagonal;
 }

@@ -20,8 +20,8 @@
 #include "promises.h"
 
 #include <CGAL/IO/polygon_soup_io.h>
-#include <CGAL/Real_timer.h>
 #include <CGAL/Rbf_implicit_function.h>
+#include <CGAL/Real_timer.h>
 
 #include <algorithm>
 #include <cmath>
@@ -133,7 +133,8 @@ private:
       fail(error.what());
     }
     check_time(timer.time(), double(mesh.number_of_faces()));
-    const double n = double(mesh.number_of_faces()), d = n > 0 && promises::has_finite_points(mesh) ? promises::diagonal(mesh) : 1;
+    const double n = double(mesh.number_of_faces()),
+                 d = n > 0 && promises::has_finite_points(mesh) ? promises::diagonal(mesh) : 1;
     const std::vector<double> sigmas = m_is_quick ? std::vector<double>{0, 0.05} : std::vector<double>{0, 0.01, 0.1, 1, 10};
     const std::vector<double> numbers =
         m_is_quick ? std::vector<double>{n / 2, 2 * n} : std::vector<double>{4, n / 10, n, 4 * n, 20 * n};

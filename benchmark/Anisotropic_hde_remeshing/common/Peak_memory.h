@@ -33,10 +33,7 @@ public:
     m_before = peak();
   }
 
-  double megabytes() const
-  {
-    return peak() - m_before;
-  }
+  double megabytes() const { return peak() - m_before; }
 
 private:
   static double peak()

@@ -72,7 +72,7 @@ double normal_deviation(const shapes::Mesh& mesh, const Distance& exact)
   {
     const shapes::Mesh::Halfedge_index h = mesh.halfedge(f);
     const shapes::Point_3 &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h)),
-                  &r = mesh.point(mesh.target(mesh.next(h)));
+                          &r = mesh.point(mesh.target(mesh.next(h)));
     const shapes::Vector_3 product = CGAL::cross_product(q - p, r - p);
     const double weight = std::sqrt(product.squared_length());
     const auto add = [&](const double u, const double v)

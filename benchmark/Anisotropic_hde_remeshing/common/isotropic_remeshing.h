@@ -23,8 +23,7 @@
 inline shapes::Mesh isotropically_remeshed(const shapes::Mesh& input, const double length)
 {
   shapes::Mesh mesh = input;
-  CGAL::Polygon_mesh_processing::isotropic_remeshing(faces(mesh), length, mesh,
-                                                     CGAL::parameters::number_of_iterations(10));
+  CGAL::Polygon_mesh_processing::isotropic_remeshing(faces(mesh), length, mesh, CGAL::parameters::number_of_iterations(10));
   return mesh;
 }
 

@@ -38,13 +38,16 @@ public:
   double unit_of_lengths(double unit) const;
 
   /// gives a vertex with a new point and normal its data
-  template <typename Vertex> void place(Vertex& vertex) const;
+  template <typename Vertex>
+  void place(Vertex& vertex) const;
 
   /// the same for a vertex between two others, which have theirs
-  template <typename Vertex> void place_between(const Vertex& a, const Vertex& b, Vertex& middle) const;
+  template <typename Vertex>
+  void place_between(const Vertex& a, const Vertex& b, Vertex& middle) const;
 
   /// the squared length of the edge between two vertices; symmetric, positive for different points
-  template <typename Vertex> double squared_length(const Vertex& a, const Vertex& b) const;
+  template <typename Vertex>
+  double squared_length(const Vertex& a, const Vertex& b) const;
 
   /// the centroid of the faces about a vertex, as smoothing needs it
   template <typename Vertex>

@@ -28,7 +28,8 @@ class Failure : public std::runtime_error
 public:
   explicit Failure(const std::string& message, const Exit_status status = STATUS_FAILURE)
     : std::runtime_error(message), m_status(status)
-  {}
+  {
+  }
 
   Exit_status status() const { return m_status; }
 
@@ -36,10 +37,7 @@ private:
   Exit_status m_status;
 };
 
-inline std::string in_quotes(const std::string& name)
-{
-  return "'" + name + "'";
-}
+inline std::string in_quotes(const std::string& name) { return "'" + name + "'"; }
 
 } // namespace hde_remesh
 

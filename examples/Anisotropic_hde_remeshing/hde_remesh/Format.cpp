@@ -30,10 +30,9 @@ Format format_of(const std::string& file_name)
     return Format::STL;
   if (extension == ".vtp")
     return Format::VTP;
-  throw Failure(extension.empty()
-                    ? in_quotes(file_name) + " has no extension: .off, .obj, .ply, .stl or .vtp tells the format"
-                    : in_quotes(file_name) + " has the unknown extension " + in_quotes(extension) +
-                          ": .off, .obj, .ply, .stl and .vtp are known");
+  throw Failure(extension.empty() ? in_quotes(file_name) + " has no extension: .off, .obj, .ply, .stl or .vtp tells the format"
+                                  : in_quotes(file_name) + " has the unknown extension " + in_quotes(extension) +
+                                        ": .off, .obj, .ply, .stl and .vtp are known");
 }
 
 bool is_read(const Format format) { return format != Format::VTP; }

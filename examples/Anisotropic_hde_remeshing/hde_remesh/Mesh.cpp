@@ -34,10 +34,7 @@ class Soup_inspector
     bool is_upward; // runs from `low` to `high` in its face
     std::size_t corner_at_low, corner_at_high;
 
-    bool operator<(const Side& other) const
-    {
-      return std::make_pair(low, high) < std::make_pair(other.low, other.high);
-    }
+    bool operator<(const Side& other) const { return std::make_pair(low, high) < std::make_pair(other.low, other.high); }
   };
 
 public:
@@ -136,7 +133,7 @@ private:
       const Side& second = sides[begin + 1];
       if (first.is_upward == second.is_upward)
         fail_but_for_repair(face(first.corner_at_low / 3) + " and face " + std::to_string(second.corner_at_low / 3 + 1) +
-             " are not oriented alike at their common edge " + edge);
+                            " are not oriented alike at their common edge " + edge);
       join(first.corner_at_low, second.corner_at_low);
       join(first.corner_at_high, second.corner_at_high);
     }
@@ -246,10 +243,7 @@ const char* name_of_field = "v:hde_remesh_field";
 
 } // namespace
 
-Field add_field(Mesh& mesh)
-{
-  return mesh.add_property_map<Mesh::Vertex_index, double>(name_of_field, 0.).first;
-}
+Field add_field(Mesh& mesh) { return mesh.add_property_map<Mesh::Vertex_index, double>(name_of_field, 0.).first; }
 
 std::optional<Field> field_of(const Mesh& mesh)
 {

@@ -32,7 +32,7 @@ struct Report
   std::optional<Repair> repair; // if it was asked for
   std::string kernel, scheme, embedding;
   bool has_6d_lengths = true; // the embedding is the paper's
-  double diagonal = 0; // of the bounding box of the input
+  double diagonal = 0;        // of the bounding box of the input
   std::optional<std::size_t> number_of_target_faces;
   std::optional<double> error; // asked for
   Hde::Remeshing_result result;

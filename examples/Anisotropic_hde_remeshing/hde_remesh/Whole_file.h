@@ -37,7 +37,7 @@ public:
     namespace fs = std::filesystem;
     std::error_code error;
     m_target = name;
-    for (int i = 0; i < 40 && fs::is_symlink(m_target, error); ++i) // a link stays a link, its target is written
+    for (int i = 0; i < 40 && fs::is_symlink(m_target, error); ++i)          // a link stays a link, its target is written
       m_target = m_target.parent_path() / fs::read_symlink(m_target, error); // of which an absolute one is all
     if (fs::exists(m_target, error) && !fs::is_regular_file(m_target, error))
       fail(fs::is_directory(m_target, error) ? "it is a directory" : "it is no ordinary file");
@@ -111,8 +111,7 @@ private:
     const mode_t mask = umask(0); // the only way to ask for it
     umask(mask);
     const mode_t mode = stat(m_target.c_str(), &old) == 0 ? (old.st_mode & 0777) : (0666 & ~mask);
-    if (fchmod(descriptor, mode) != 0 || fsync(descriptor) != 0 ||
-        std::rename(temporary_name().name, m_target.c_str()) != 0)
+    if (fchmod(descriptor, mode) != 0 || fsync(descriptor) != 0 || std::rename(temporary_name().name, m_target.c_str()) != 0)
       fail(std::strerror(errno));
   }
 

@@ -38,12 +38,12 @@ Built_function build_with(const Mesh& mesh, const Options& o)
   typedef CGAL::Rbf_implicit_function<Kernel, RadialFunction> Function;
   // what the library has where nothing is given
   const CGAL::Anisotropic_hde_remeshing::internal::Interpolation_parameters defaults;
-  const auto np = CGAL::parameters::vertex_point_map(mesh.points())
-                      .radial_function(radial_function<RadialFunction>(o))
-                      .number_of_patches(o.patches ? static_cast<std::size_t>(*o.patches)
-                                                   : defaults.patches_of(mesh.number_of_vertices()))
-                      .patch_overlap(o.overlap.value_or(defaults.patch_overlap))
-                      .smoothing(o.smoothing.value_or(defaults.smoothing));
+  const auto np =
+      CGAL::parameters::vertex_point_map(mesh.points())
+          .radial_function(radial_function<RadialFunction>(o))
+          .number_of_patches(o.patches ? static_cast<std::size_t>(*o.patches) : defaults.patches_of(mesh.number_of_vertices()))
+          .patch_overlap(o.overlap.value_or(defaults.patch_overlap))
+          .smoothing(o.smoothing.value_or(defaults.smoothing));
   const Function function = o.offset ? Function(mesh, np.offset_distance(*o.offset)) : Function(mesh, np);
   return Built_function{Function_view::of(function), RadialFunction::name(), function.diagnostics()};
 }

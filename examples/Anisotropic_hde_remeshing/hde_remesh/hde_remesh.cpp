@@ -110,10 +110,9 @@ std::size_t faces_for_vertices(const long long number_of_vertices, const Hde::To
   double faces = static_cast<double>(input.number_of_faces);
   for (int i = 0; i < 20; ++i)
   {
-    const double boundary = static_cast<double>(input.number_of_boundary_edges) *
-                            std::sqrt(faces / static_cast<double>(input.number_of_faces));
-    faces =
-        2 * static_cast<double>(number_of_vertices) - 2 * static_cast<double>(input.euler_characteristic) - boundary;
+    const double boundary =
+        static_cast<double>(input.number_of_boundary_edges) * std::sqrt(faces / static_cast<double>(input.number_of_faces));
+    faces = 2 * static_cast<double>(number_of_vertices) - 2 * static_cast<double>(input.euler_characteristic) - boundary;
     faces = (std::max)(least, faces);
   }
   return static_cast<std::size_t>(faces);
@@ -169,8 +168,7 @@ void measure_all(const Mesh& input, const Remeshed& remeshed, const Options& opt
     report.distance = measure_distance(remeshed.mesh, input);
 }
 
-void describe(const Options& options, const Checked_mesh& input, const Sizes& sizes, const Remeshed& remeshed,
-              Report& report)
+void describe(const Options& options, const Checked_mesh& input, const Sizes& sizes, const Remeshed& remeshed, Report& report)
 {
   report.version = version_text();
   report.input = options.input;

@@ -36,10 +36,7 @@ std::size_t number_of_self_intersections(const Mesh& mesh)
 
 } // namespace
 
-Hde::Topology_measures measure_topology(const Mesh& mesh)
-{
-  return Hde::measure_topology(mesh);
-}
+Hde::Topology_measures measure_topology(const Mesh& mesh) { return Hde::measure_topology(mesh); }
 
 double diagonal(const Mesh& mesh)
 {

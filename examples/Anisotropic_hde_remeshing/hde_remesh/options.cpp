@@ -86,27 +86,27 @@ void add_embedding_options(CLI::App& app, Options& o)
   auto* absolute_sigma = app.add_option("--absolute-sigma", o.absolute_sigma, "weight of the normals, in the unit of the mesh")
                              ->excludes(sigma)
                              ->group(group);
-  auto* metric =
-      app.add_option_function<std::string>(
-             "--metric", [&o](const std::string& text) { o.metric = number_or_infinity(text); },
-             "in place of sigma: the metric of the curvature that makes the distance to the surface least in the\n"
-             "norm L^P; P from 1 to inf, for the largest distance")
-          ->type_name("P|inf")
-          ->excludes(sigma)
-          ->excludes(absolute_sigma)
+  auto* metric = app.add_option_function<std::string>(
+                        "--metric", [&o](const std::string& text) { o.metric = number_or_infinity(text); },
+                        "in place of sigma: the metric of the curvature that makes the distance to the surface least in the\n"
+                        "norm L^P; P from 1 to inf, for the largest distance")
+                     ->type_name("P|inf")
+                     ->excludes(sigma)
+                     ->excludes(absolute_sigma)
+                     ->group(group);
+  auto* field =
+      app.add_option("--field", o.field, "a vertex property of IN, a PLY file: triangles are small where it varies, too")
+          ->type_name("NAME")
+          ->excludes(metric)
           ->group(group);
-  auto* field = app.add_option("--field", o.field, "a vertex property of IN, a PLY file: triangles are small where it varies, too")
-                    ->type_name("NAME")
-                    ->excludes(metric)
-                    ->group(group);
   app.add_option("--tau", o.tau, "weight of the field: D over its range is 1 (default 0.1)")->needs(field)->group(group);
 }
 
 void add_size_options(CLI::App& app, Options& o)
 {
   auto* faces = app.add_option("--faces", o.faces, "number of triangles to aim at (default: as many as IN has)");
-  auto* vertices = app.add_option("--vertices", o.vertices,
-                                  "number of vertices to aim at; turned into triangles by Euler's formula");
+  auto* vertices =
+      app.add_option("--vertices", o.vertices, "number of vertices to aim at; turned into triangles by Euler's formula");
   auto* length = app.add_option("--length", o.length, "6D edge length to aim at, in the unit of the mesh")
                      ->excludes(faces)
                      ->excludes(vertices);
@@ -151,10 +151,8 @@ void add_remeshing_options(CLI::App& app, Options& o)
       ->group(group);
   app.add_option("--iterations", o.iterations, "number of iterations")->group(group);
   app.add_option("--relaxation-steps", o.relaxation_steps, "smoothing passes in an iteration")->group(group);
-  app.add_option("--smoothing-ratio", o.smoothing_ratio, "share of the vertices that are smoothed, from 0 to 1")
-      ->group(group);
-  app.add_option("--collapse-ratio", o.collapse_ratio, "edges shorter than this times the length are contracted")
-      ->group(group);
+  app.add_option("--smoothing-ratio", o.smoothing_ratio, "share of the vertices that are smoothed, from 0 to 1")->group(group);
+  app.add_option("--collapse-ratio", o.collapse_ratio, "edges shorter than this times the length are contracted")->group(group);
   app.add_flag("--avoid-self-intersections", o.avoid_self_intersections,
                "let no triangles intersect that do not do so in IN; takes up to about five times as long")
       ->group(group);
@@ -164,8 +162,7 @@ void add_remeshing_options(CLI::App& app, Options& o)
 void add_report_options(CLI::App& app, Options& o)
 {
   const std::string group = "The report";
-  app.add_option("--json", o.json,
-                 "write the table to FILE as JSON; - writes it to the standard output, without the table")
+  app.add_option("--json", o.json, "write the table to FILE as JSON; - writes it to the standard output, without the table")
       ->type_name("FILE")
       ->group(group);
   app.add_option("--report", o.report,
@@ -176,8 +173,7 @@ void add_report_options(CLI::App& app, Options& o)
                "write figures of each triangle and vertex into OUT, which must be PLY or VTP: aspect ratio,\n"
                "least 6D angle, distance to the surface, normal")
       ->group(group);
-  app.add_flag("--self-intersections", o.self_intersections,
-               "count the pairs of triangles that intersect, before and after")
+  app.add_flag("--self-intersections", o.self_intersections, "count the pairs of triangles that intersect, before and after")
       ->group(group);
   app.add_flag("--no-distance", o.no_distance, "do not measure the distance between IN and OUT")->group(group);
   app.add_flag("-q,--quiet", o.quiet, "print nothing but errors")->group(group);

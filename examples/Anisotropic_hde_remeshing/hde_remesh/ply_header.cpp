@@ -17,8 +17,8 @@ namespace hde_remesh {
 
 namespace {
 
-const std::vector<std::string> types = {"char",  "int8",   "uchar", "uint8", "short",   "int16",  "ushort",  "uint16",
-                                        "int",   "int32",  "uint",  "uint32", "float",  "float32", "double", "float64"};
+const std::vector<std::string> types = {"char", "int8",  "uchar", "uint8",  "short", "int16",   "ushort", "uint16",
+                                        "int",  "int32", "uint",  "uint32", "float", "float32", "double", "float64"};
 
 bool is_type(const std::string& word) { return std::find(types.begin(), types.end(), word) != types.end(); }
 
@@ -49,7 +49,9 @@ std::string problem_of_line(const std::vector<std::string>& words, const std::si
   if (keyword == "property")
     return !has_element ? "a property comes before any element" : is_property(words) ? "" : "no property of a known type";
   static const std::vector<std::string> others = {"ply", "format", "comment", "obj_info"};
-  return std::find(others.begin(), others.end(), keyword) != others.end() ? "" : "'" + keyword.substr(0, 40) + "' begins no line of a header";
+  return std::find(others.begin(), others.end(), keyword) != others.end()
+             ? ""
+             : "'" + keyword.substr(0, 40) + "' begins no line of a header";
 }
 
 } // namespace

@@ -17,15 +17,9 @@ namespace hde_remesh {
 
 namespace {
 
-std::string text(const std::size_t count)
-{
-  return std::to_string(count);
-}
+std::string text(const std::size_t count) { return std::to_string(count); }
 
-std::string text(const std::optional<std::size_t>& count)
-{
-  return count ? std::to_string(*count) : "-";
-}
+std::string text(const std::optional<std::size_t>& count) { return count ? std::to_string(*count) : "-"; }
 
 std::string number(const double value, const int digits)
 {
@@ -44,10 +38,7 @@ std::string fixed(const double value, const int decimals)
 }
 
 // Rounded down, so that 100 % means all.
-std::string percent(const double share)
-{
-  return fixed(std::floor(share * 1e4 + 1e-6) / 100, 2) + " %";
-}
+std::string percent(const double share) { return fixed(std::floor(share * 1e4 + 1e-6) / 100, 2) + " %"; }
 
 class Table
 {
@@ -71,8 +62,7 @@ public:
 private:
   void row(const std::string& name, const std::string& before, const std::string& after)
   {
-    m_stream << std::left << std::setw(46) << name << std::right << std::setw(14) << before << std::setw(14) << after
-             << '\n';
+    m_stream << std::left << std::setw(46) << name << std::right << std::setw(14) << before << std::setw(14) << after << '\n';
   }
 
   // a length, relative to the diagonal
@@ -84,8 +74,7 @@ private:
     row("faces", text(before.number_of_faces), text(after.number_of_faces));
     row("components", text(before.number_of_components), text(after.number_of_components));
     row("boundary loops", text(before.number_of_boundary_loops), text(after.number_of_boundary_loops));
-    row("Euler characteristic", std::to_string(before.euler_characteristic),
-        std::to_string(after.euler_characteristic));
+    row("Euler characteristic", std::to_string(before.euler_characteristic), std::to_string(after.euler_characteristic));
     row("interior vertices with 6 edges", percent(before.valence_6_share), percent(after.valence_6_share));
   }
 
@@ -114,8 +103,7 @@ private:
     row("6D edge lengths in [.5, 1.5] m", percent(before.share_within_half), percent(after.share_within_half));
     row("6D edge length aimed at, l", "-", number(to_target.target_edge_length, 5));
     row("6D edge lengths in [.7, 1.41] l", "-", percent(to_target.share_within_sqrt_2));
-    row("least 6D angle of a face, mean, degrees", fixed(before.minimum_angle_mean, 2),
-        fixed(after.minimum_angle_mean, 2));
+    row("least 6D angle of a face, mean, degrees", fixed(before.minimum_angle_mean, 2), fixed(after.minimum_angle_mean, 2));
     row("least 6D angle of all", fixed(before.minimum_angle_least, 2), fixed(after.minimum_angle_least, 2));
   }
 
@@ -134,20 +122,16 @@ private:
       row("pairs of faces that intersect", text(before.self_intersections), text(after.self_intersections));
     const auto both = [&](const std::string& name, const double of_before, const double of_after)
     { row(name, relative(of_before), relative(of_after)); };
-    both("interior vertices to the zero set, largest", before.zero_set.interior_vertex_max,
-         after.zero_set.interior_vertex_max);
-    both("boundary vertices to the zero set, largest", before.zero_set.boundary_vertex_max,
-         after.zero_set.boundary_vertex_max);
+    both("interior vertices to the zero set, largest", before.zero_set.interior_vertex_max, after.zero_set.interior_vertex_max);
+    both("boundary vertices to the zero set, largest", before.zero_set.boundary_vertex_max, after.zero_set.boundary_vertex_max);
     both("faces to the zero set, rms", before.zero_set.face_rms, after.zero_set.face_rms);
     both("faces to the zero set, largest", before.zero_set.face_max, after.zero_set.face_max);
     // how much further than the best mesh of as many faces with vertices on the surface
     const auto over_bound = [](const double distance, const double bound)
     { return bound > 0 ? fixed(distance / bound, 2) : std::string("-"); };
-    row("rms over the least possible, asymptotically",
-        over_bound(before.zero_set.face_rms, before.bounds.rms_on_surface),
+    row("rms over the least possible, asymptotically", over_bound(before.zero_set.face_rms, before.bounds.rms_on_surface),
         over_bound(after.zero_set.face_rms, after.bounds.rms_on_surface));
-    row("largest distance over the least possible",
-        over_bound(before.zero_set.face_max, before.bounds.max_on_surface),
+    row("largest distance over the least possible", over_bound(before.zero_set.face_max, before.bounds.max_on_surface),
         over_bound(after.zero_set.face_max, after.bounds.max_on_surface));
     if (m_report.error)
       row("bound on the distance, without curves", "-", relative(m_report.result.approximation_error));
@@ -176,18 +160,17 @@ private:
     const Hde::Rbf_diagnostics& rbf = m_report.rbf;
     m_stream << "function: " << m_report.kernel << ", " << rbf.number_of_points << " points, " << rbf.number_of_patches
              << " patches of " << fixed(rbf.mean_centres, 0) << " centres (at most " << rbf.max_centres << "), "
-             << fixed(static_cast<double>(rbf.memory_bytes) / 1e6, 1) << " MB, residual "
-             << number(rbf.worst_residual, 2) << '\n';
+             << fixed(static_cast<double>(rbf.memory_bytes) / 1e6, 1) << " MB, residual " << number(rbf.worst_residual, 2)
+             << '\n';
     m_stream << "self-check: " << rbf.patches_repaired << " patches repaired, " << rbf.patches_on_fallback
-             << " answered by the input itself, " << rbf.number_of_failed_checks << " checks of the others failed; solved with ridge "
-             << rbf.patches_with_ridge << ", by LU " << rbf.patches_with_lu << "; " << rbf.number_of_shortened_offsets
-             << " offsets shortened\n";
-    m_stream << "remeshing: " << result.number_of_iterations << " iterations, " << result.number_of_splits
-             << " splits, " << result.number_of_collapses << " contractions, " << result.number_of_flips
-             << " flips; " << m_report.embedding << '\n';
+             << " answered by the input itself, " << rbf.number_of_failed_checks
+             << " checks of the others failed; solved with ridge " << rbf.patches_with_ridge << ", by LU "
+             << rbf.patches_with_lu << "; " << rbf.number_of_shortened_offsets << " offsets shortened\n";
+    m_stream << "remeshing: " << result.number_of_iterations << " iterations, " << result.number_of_splits << " splits, "
+             << result.number_of_collapses << " contractions, " << result.number_of_flips << " flips; " << m_report.embedding
+             << '\n';
     if (m_report.error)
-      m_stream << (result.approximation_error <= *m_report.error * (1 + 1e-12)
-                       ? "the error asked for is kept"
+      m_stream << (result.approximation_error <= *m_report.error * (1 + 1e-12) ? "the error asked for is kept"
                    : result.binding_target == Hde::Target::NUMBER_OF_FACES
                        ? "the number of faces was reached before the error asked for"
                        : "the error asked for is not kept: the function has no surface near some faces")
@@ -195,8 +178,9 @@ private:
     m_stream << "projections: " << result.projections.newton << " by Newton's method, " << result.projections.bisection
              << " by bisection, " << result.projections.closest_point << " by the closest point of the input\n";
     if (result.number_of_unprojected_vertices > 0)
-      m_stream << result.number_of_unprojected_vertices
-               << " vertices are near the surface only: the last way to it would have folded a face or made it intersect others\n";
+      m_stream
+          << result.number_of_unprojected_vertices
+          << " vertices are near the surface only: the last way to it would have folded a face or made it intersect others\n";
     m_stream << "D = " << number(m_report.diagonal, 6) << ", the diagonal of the bounding box\n";
     m_stream << m_report.input << " -> " << m_report.output << '\n';
   }
@@ -207,9 +191,6 @@ private:
 
 } // namespace
 
-void print_table(const Report& report, std::ostream& stream)
-{
-  Table(report, stream).print();
-}
+void print_table(const Report& report, std::ostream& stream) { Table(report, stream).print(); }
 
 } // namespace hde_remesh

@@ -77,10 +77,7 @@ std::string embedding_text(const Sizes& sizes, const Options& options)
   return text.str();
 }
 
-bool has_6d_lengths(const Sizes& sizes, const Options& options)
-{
-  return embedding_of(sizes, options) == Embedding::NORMALS;
-}
+bool has_6d_lengths(const Sizes& sizes, const Options& options) { return embedding_of(sizes, options) == Embedding::NORMALS; }
 
 Remeshed remesh(const Mesh& mesh, const Sizes& sizes, const Options& options, Progress& progress)
 {

@@ -24,8 +24,8 @@ Remeshing_result remesh_with_normals(Mesh& mesh, const Function_view& function, 
                                      Progress& progress);
 Remeshing_result remesh_with_metric(Mesh& mesh, const Function_view& function, const Sizes& sizes, const Options& o,
                                     Progress& progress);
-Remeshing_result remesh_with_adaptive_sigma(Mesh& mesh, const Function_view& function, const Sizes& sizes,
-                                            const Options& o, Progress& progress);
+Remeshing_result remesh_with_adaptive_sigma(Mesh& mesh, const Function_view& function, const Sizes& sizes, const Options& o,
+                                            Progress& progress);
 Remeshing_result remesh_with_field(Mesh& mesh, const Function_view& function, const Sizes& sizes, const Options& o,
                                    Progress& progress);
 
@@ -58,9 +58,8 @@ Remeshing_result remesh_with(const Embedding& embedding, Mesh& mesh, const Funct
   if (!sizes.error)
     return remesh_with_all(mesh, function, o, np.number_of_target_faces(*sizes.number_of_faces));
   const std::size_t most = CGAL::Anisotropic_hde_remeshing::internal::largest_number_of_faces;
-  return remesh_with_all(
-      mesh, function, o,
-      np.approximation_error(*sizes.error).number_of_target_faces(sizes.number_of_faces.value_or(most)));
+  return remesh_with_all(mesh, function, o,
+                         np.approximation_error(*sizes.error).number_of_target_faces(sizes.number_of_faces.value_or(most)));
 }
 
 } // namespace hde_remesh

@@ -12,8 +12,8 @@
 
 namespace hde_remesh {
 
-Remeshing_result remesh_with_adaptive_sigma(Mesh& mesh, const Function_view& function, const Sizes& sizes,
-                                            const Options& o, Progress& progress)
+Remeshing_result remesh_with_adaptive_sigma(Mesh& mesh, const Function_view& function, const Sizes& sizes, const Options& o,
+                                            Progress& progress)
 {
   return remesh_with(CGAL::Anisotropic_hde_remeshing::Adaptive_normal_embedding(), mesh, function, sizes, o, progress);
 }

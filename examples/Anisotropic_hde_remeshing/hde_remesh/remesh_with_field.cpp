@@ -19,8 +19,7 @@ Remeshing_result remesh_with_field(Mesh& mesh, const Function_view& function, co
 {
   namespace Hde = CGAL::Anisotropic_hde_remeshing;
   const Hde::Interpolated_vertex_field field(mesh, *field_of(mesh));
-  return remesh_with(Hde::scalar_field_embedding<Point_3>(sizes.sigma, sizes.tau, field), mesh, function, sizes, o,
-                     progress);
+  return remesh_with(Hde::scalar_field_embedding<Point_3>(sizes.sigma, sizes.tau, field), mesh, function, sizes, o, progress);
 }
 
 } // namespace hde_remesh

@@ -45,8 +45,7 @@ struct Scale
 // the value that this share of the finite ones does not exceed
 double quantile(Values values, const double share)
 {
-  values.erase(std::remove_if(values.begin(), values.end(), [](const double x) { return !std::isfinite(x); }),
-               values.end());
+  values.erase(std::remove_if(values.begin(), values.end(), [](const double x) { return !std::isfinite(x); }), values.end());
   if (values.empty())
     return 0;
   const auto place = values.begin() + std::ptrdiff_t(share * double(values.size() - 1));
@@ -77,12 +76,14 @@ std::vector<std::size_t> counts(const Values& values, const Scale& scale)
   return counts(values, axis::regular<double>(number_of_bins, scale.low, scale.high));
 }
 
-Json histogram(const std::string& title, const std::string& unit, const Values& before, const Values& after,
-               const Scale& scale)
+Json histogram(const std::string& title, const std::string& unit, const Values& before, const Values& after, const Scale& scale)
 {
-  return {{"title", title},          {"unit", unit},
-          {"low", scale.low},        {"high", scale.high},
-          {"logarithmic", scale.logarithmic}, {"before", counts(before, scale)},
+  return {{"title", title},
+          {"unit", unit},
+          {"low", scale.low},
+          {"high", scale.high},
+          {"logarithmic", scale.logarithmic},
+          {"before", counts(before, scale)},
           {"after", counts(after, scale)}};
 }
 
@@ -108,8 +109,8 @@ struct Figure
 
   Json to_json() const
   {
-    return {{"key", key},         {"title", title},       {"unit", unit},
-            {"low", scale.low},   {"high", scale.high},   {"logarithmic", scale.logarithmic}};
+    return {{"key", key},       {"title", title},     {"unit", unit},
+            {"low", scale.low}, {"high", scale.high}, {"logarithmic", scale.logarithmic}};
   }
 };
 
@@ -118,7 +119,8 @@ std::vector<Figure> figures_of_faces(const Element_figures& before, const Elemen
   std::vector<Figure> result;
   result.push_back({"aspect_ratio", "aspect ratio", "", before.aspect_ratios, after.aspect_ratios,
                     common_scale(before.aspect_ratios, after.aspect_ratios, 1, 2, true)});
-  result.push_back({"smallest_angle", "least 6D angle", "\u00b0", before.smallest_angles, after.smallest_angles, {0, 60, false}});
+  result.push_back(
+      {"smallest_angle", "least 6D angle", "\u00b0", before.smallest_angles, after.smallest_angles, {0, 60, false}});
   const Values distances_before = divided(before.face_distances, diagonal),
                distances_after = divided(after.face_distances, diagonal);
   result.push_back({"distance", "distance to the surface", " D", distances_before, distances_after,
@@ -136,7 +138,8 @@ std::vector<float> to_floats(const Values& values, const std::vector<std::size_t
 }
 
 // in the ball of radius one about the middle of the bounding box
-Json to_json(const Shown_mesh& shown, const CGAL::Bbox_3& box, const std::vector<std::pair<std::string, const Values*>>& figures)
+Json to_json(const Shown_mesh& shown, const CGAL::Bbox_3& box,
+             const std::vector<std::pair<std::string, const Values*>>& figures)
 {
   const double radius = 0.5 * std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin());
   std::vector<float> points;
@@ -196,7 +199,8 @@ std::string report_page(const Report& report, const std::string& command_line, c
   }
   const double length = report.result.target_edge_length;
   if (report.has_6d_lengths && length > 0)
-    json["histograms"].push_back(histogram("6D edge length over that aimed at", "", divided(before.figures.edge_lengths, length),
+    json["histograms"].push_back(histogram("6D edge length over that aimed at", "",
+                                           divided(before.figures.edge_lengths, length),
                                            divided(after.figures.edge_lengths, length), {0, 2.5, false}));
   json.update(to_json_of_meshes(before, after, figures));
   const std::string page = report_page_template, place = "@DATA@";

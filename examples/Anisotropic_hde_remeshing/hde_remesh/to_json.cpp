@@ -54,9 +54,7 @@ Json to_json(const Hde::Embedding_measures& m, const Hde::Embedding_measures& to
 
 Json to_json(const Hde::Alignment_measures& m)
 {
-  return {{"faces", m.number_of_faces},
-          {"angle_mean", m.angle_mean},
-          {"share_within_15_degrees", m.share_within_15_degrees}};
+  return {{"faces", m.number_of_faces}, {"angle_mean", m.angle_mean}, {"share_within_15_degrees", m.share_within_15_degrees}};
 }
 
 Json to_json(const Hde::Zero_set_measures& m)

@@ -39,54 +39,58 @@ void write_arrays(const char* element, const std::vector<Array>& arrays, std::os
 {
   stream << "<" << element << ">\n";
   for (const Array& array : arrays)
-    write_array("type=\"Float64\"", array.name,
-                [&]
-                {
-                  for (const double value : array.values)
-                  {
-                    write_number(value, stream);
-                    stream << "\n";
-                  }
-                },
-                stream);
+    write_array(
+        "type=\"Float64\"", array.name,
+        [&]
+        {
+          for (const double value : array.values)
+          {
+            write_number(value, stream);
+            stream << "\n";
+          }
+        },
+        stream);
   stream << "</" << element << ">\n";
 }
 
 void write_points(const Soup& soup, std::ostream& stream)
 {
   stream << "<Points>\n";
-  write_array("type=\"Float64\" NumberOfComponents=\"3\"", "points",
-              [&]
-              {
-                for (const Point_3& p : soup.points)
-                  stream << p.x() << " " << p.y() << " " << p.z() << "\n";
-              },
-              stream);
+  write_array(
+      "type=\"Float64\" NumberOfComponents=\"3\"", "points",
+      [&]
+      {
+        for (const Point_3& p : soup.points)
+          stream << p.x() << " " << p.y() << " " << p.z() << "\n";
+      },
+      stream);
   stream << "</Points>\n";
 }
 
 void write_polygons(const Soup& soup, std::ostream& stream)
 {
   stream << "<Polys>\n";
-  write_array("type=\"Int64\"", "connectivity",
-              [&]
-              {
-                for (const std::vector<std::size_t>& face : soup.faces)
-                {
-                  for (const std::size_t v : face)
-                    stream << v << " ";
-                  stream << "\n";
-                }
-              },
-              stream);
-  write_array("type=\"Int64\"", "offsets",
-              [&]
-              {
-                std::size_t end = 0;
-                for (const std::vector<std::size_t>& face : soup.faces)
-                  stream << (end += face.size()) << "\n";
-              },
-              stream);
+  write_array(
+      "type=\"Int64\"", "connectivity",
+      [&]
+      {
+        for (const std::vector<std::size_t>& face : soup.faces)
+        {
+          for (const std::size_t v : face)
+            stream << v << " ";
+          stream << "\n";
+        }
+      },
+      stream);
+  write_array(
+      "type=\"Int64\"", "offsets",
+      [&]
+      {
+        std::size_t end = 0;
+        for (const std::vector<std::size_t>& face : soup.faces)
+          stream << (end += face.size()) << "\n";
+      },
+      stream);
   stream << "</Polys>\n";
 }
 

@@ -182,8 +182,8 @@ private:
   {
     static constexpr double smallest = 0.1;
     if (std::isinf(m_p))
-      return smallest + (1 - smallest) * std::pow(std::pow(0.5 * std::abs(r + s), 1.3) + std::pow(0.4 * std::abs(r - s), 1.3),
-                                                  1 / 1.3);
+      return smallest +
+             (1 - smallest) * std::pow(std::pow(0.5 * std::abs(r + s), 1.3) + std::pow(0.4 * std::abs(r - s), 1.3), 1 / 1.3);
     return smallest + (1 - smallest) * std::sqrt((9. / 8 * (r * r + s * s) + 3. / 4 * r * s + 9. / 4 * (r + s) * (r + s)) / 12);
   }
 
@@ -226,7 +226,8 @@ public:
     const Eigen::Matrix2d square = shape_operator * shape_operator;
     const double gauss_curvature = std::abs(shape_operator.determinant());
     return Eigen::Matrix2d::Identity() +
-           0.5 * (square + square.transpose()) / (gauss_curvature + smallest_ratio * square.trace() + smallest_curvature * smallest_curvature);
+           0.5 * (square + square.transpose()) /
+               (gauss_curvature + smallest_ratio * square.trace() + smallest_curvature * smallest_curvature);
   }
 };
 

@@ -44,8 +44,8 @@ struct Shape_measures
   double aspect_ratio_p99 = 0;                ///< the 99th percentile, infinite if too many faces are degenerate
   double aspect_ratio_max = 0;                ///< \f$ q_\Gamma \f$, infinite if a face is degenerate
   std::size_t number_of_degenerate_faces = 0; ///< those of three collinear points
-  std::size_t number_of_folded_edges = 0; ///< over which two faces turn by more than 143 degrees (a cosine of
-                                          ///< -0.8), of faces that are not needles of no height
+  std::size_t number_of_folded_edges = 0;     ///< over which two faces turn by more than 143 degrees (a cosine of
+                                              ///< -0.8), of faces that are not needles of no height
 };
 
 /// \ingroup PkgAnisotropicHdeRemeshingRef

@@ -41,8 +41,8 @@ enum class Target
 /// what `CGAL::anisotropic_hde_remeshing()` did, and with which parameters where it chose them itself
 struct Remeshing_result
 {
-  double sigma = 0;              ///< the weight of the normals, in the unit of the mesh
-  double target_edge_length = 0; ///< the 6D edge length aimed at in the end, in the unit of the mesh
+  double sigma = 0;                                ///< the weight of the normals, in the unit of the mesh
+  double target_edge_length = 0;                   ///< the 6D edge length aimed at in the end, in the unit of the mesh
   Target binding_target = Target::NUMBER_OF_FACES; ///< which of the targets given was reached first
   /// the bound that was found on the distance between the faces, but those at boundary and constrained curves, and the surface, in
   /// the unit of the mesh, if an error was asked for: at most that, unless the number of faces was reached first; infinite where
@@ -57,7 +57,7 @@ struct Remeshing_result
   /// one if these are tested
   std::size_t number_of_unprojected_vertices = 0;
   Projection_counters projections;
-  bool was_stopped = false;      ///< whether the visitor ended the remeshing early
+  bool was_stopped = false;             ///< whether the visitor ended the remeshing early
   double implicit_function_seconds = 0; ///< wall time of `Stage::IMPLICIT_FUNCTION`
   double projection_seconds = 0;        ///< wall time of `Stage::PROJECTION`
   double remeshing_seconds = 0;         ///< wall time of `Stage::REMESHING`

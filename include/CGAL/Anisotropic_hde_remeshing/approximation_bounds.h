@@ -35,10 +35,10 @@ divided by them say how far it is from the best of its size: its efficiency, 1 a
 struct Approximation_bounds
 {
   std::size_t number_of_faces = 0; ///< the number to which the other members refer
-  double rms_on_surface = 0;   ///< root mean square, with the vertices on the surface
-  double rms_off_surface = 0;  ///< the same with the vertices wherever it is best
-  double max_on_surface = 0;   ///< largest, with the vertices on the surface
-  double max_off_surface = 0;  ///< the same with the vertices wherever it is best
+  double rms_on_surface = 0;       ///< root mean square, with the vertices on the surface
+  double rms_off_surface = 0;      ///< the same with the vertices wherever it is best
+  double max_on_surface = 0;       ///< largest, with the vertices on the surface
+  double max_off_surface = 0;      ///< the same with the vertices wherever it is best
 
   /// the same bounds for another number of faces: they are inversely proportional to it
   Approximation_bounds for_number_of_faces(const std::size_t n) const

@@ -50,8 +50,8 @@ class Distance_to_mesh
 public:
   Distance_to_mesh(const TriangleMesh& tmesh, const NamedParameters& np)
   {
-    const Vertex_point_map point_map = parameters::choose_parameter(
-        parameters::get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tmesh));
+    const Vertex_point_map point_map = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                                                    get_const_property_map(vertex_point, tmesh));
     m_tree.insert(faces(tmesh).first, faces(tmesh).second, tmesh, point_map);
     m_tree.build();
     m_tree.accelerate_distance_queries(); // now, not at the first query of one of the threads
@@ -71,8 +71,7 @@ template <typename ConcurrencyTag, typename Distance>
 Rms_and_max rms_and_max_from(const Measured_mesh& mesh, const std::size_t number_of_samples, const Distance& distance)
 {
   const Area_sampler sampler(mesh, number_of_samples);
-  Rms_and_max result =
-      rms_and_max<ConcurrencyTag>(sampler.size(), [&](const std::size_t i) { return distance(sampler(i)); });
+  Rms_and_max result = rms_and_max<ConcurrencyTag>(sampler.size(), [&](const std::size_t i) { return distance(sampler(i)); });
   const Rms_and_max of_vertices =
       rms_and_max<ConcurrencyTag>(mesh.points.size(), [&](const std::size_t v) { return distance(mesh.points[v]); });
   result.max = (std::max)(result.max, of_vertices.max);
@@ -119,10 +118,10 @@ Distance_measures measure_distance(const TriangleMesh1& tmesh1, const TriangleMe
       choose_parameter(get_parameter(np1, internal_np::number_of_points_on_faces), std::size_t(200000)));
   const internal::Distance_to_mesh<TriangleMesh1, NamedParameters1> to_first(tmesh1, np1);
   const internal::Distance_to_mesh<TriangleMesh2, NamedParameters2> to_second(tmesh2, np2);
-  const internal::Rms_and_max from_first = internal::rms_and_max_from<ConcurrencyTag>(
-      internal::read_measured_mesh(tmesh1, np1), number_of_samples, to_second);
-  const internal::Rms_and_max from_second = internal::rms_and_max_from<ConcurrencyTag>(
-      internal::read_measured_mesh(tmesh2, np2), number_of_samples, to_first);
+  const internal::Rms_and_max from_first =
+      internal::rms_and_max_from<ConcurrencyTag>(internal::read_measured_mesh(tmesh1, np1), number_of_samples, to_second);
+  const internal::Rms_and_max from_second =
+      internal::rms_and_max_from<ConcurrencyTag>(internal::read_measured_mesh(tmesh2, np2), number_of_samples, to_first);
 
   Distance_measures measures;
   measures.rms_from_first = from_first.rms;

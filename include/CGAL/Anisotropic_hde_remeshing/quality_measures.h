@@ -12,9 +12,9 @@
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
 #include <CGAL/Anisotropic_hde_remeshing/Measures.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/measures/Measured_mesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/evaluation.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/folded_edge.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/measures/Measured_mesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/named_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
 
@@ -105,8 +105,8 @@ template <typename ConcurrencyTag, typename Function>
 std::vector<Vector> unit_normals(const Measured_mesh& mesh, const Function& f)
 {
   std::vector<Vector> normals(mesh.points.size());
-  parallel_for<ConcurrencyTag>(normals.size(), [&](const std::size_t v)
-                               { normals[v] = gradient_of(f, mesh.points[v]).stableNormalized(); });
+  parallel_for<ConcurrencyTag>(normals.size(),
+                               [&](const std::size_t v) { normals[v] = gradient_of(f, mesh.points[v]).stableNormalized(); });
   return normals;
 }
 
@@ -130,8 +130,7 @@ inline void measure_edges(const Embedded_mesh& embedded, Embedding_measures& mea
   {
     const double l = measures.target_edge_length;
     return static_cast<double>(std::count_if(lengths.begin(), lengths.end(),
-                                             [&](const double length)
-                                             { return length >= low * l && length <= high * l; })) /
+                                             [&](const double length) { return length >= low * l && length <= high * l; })) /
            number;
   };
   measures.share_within_half = share_within(0.5, 1.5);
@@ -166,8 +165,7 @@ double aspect_ratio(const Point_3& p, const Point_3& q, const Point_3& r)
   typedef typename Kernel_traits<Point_3>::Kernel Kernel;
   if (typename Kernel::Collinear_3()(p, q, r))
     return std::numeric_limits<double>::infinity();
-  const auto convert = [](const Point_3& s)
-  { return internal::Vector(to_double(s.x()), to_double(s.y()), to_double(s.z())); };
+  const auto convert = [](const Point_3& s) { return internal::Vector(to_double(s.x()), to_double(s.y()), to_double(s.z())); };
   return internal::aspect_ratio(convert(p), convert(q), convert(r));
 }
 
@@ -196,8 +194,8 @@ Topology_measures measure_topology(const TriangleMesh& tmesh, const NamedParamet
   measures.number_of_boundary_edges = mesh.number_of_boundary_edges;
   measures.number_of_boundary_loops = mesh.number_of_boundary_loops;
   measures.number_of_components = internal::number_of_components(mesh);
-  measures.euler_characteristic = static_cast<std::ptrdiff_t>(mesh.points.size() + mesh.faces.size()) -
-                                  static_cast<std::ptrdiff_t>(mesh.edges.size());
+  measures.euler_characteristic =
+      static_cast<std::ptrdiff_t>(mesh.points.size() + mesh.faces.size()) - static_cast<std::ptrdiff_t>(mesh.edges.size());
   std::size_t number_of_valence_6 = 0;
   for (std::size_t v = 0; v < mesh.points.size(); ++v)
     if (!mesh.is_on_boundary[v])

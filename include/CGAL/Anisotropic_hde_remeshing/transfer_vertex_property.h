@@ -46,8 +46,8 @@ struct Linear_interpolation
   Value operator()(const std::array<Value, 3>& values, const std::array<double, 3>& weights) const
   {
     if constexpr (std::is_integral<Value>::value)
-      return Value(std::llround(weights[0] * double(values[0]) + weights[1] * double(values[1]) +
-                                weights[2] * double(values[2])));
+      return Value(
+          std::llround(weights[0] * double(values[0]) + weights[1] * double(values[1]) + weights[2] * double(values[2])));
     else if constexpr (Is_point<Value>::value)
       return Value(values[0] + ((values[1] - values[0]) * weights[1] + (values[2] - values[0]) * weights[2]));
     else
@@ -76,10 +76,12 @@ private:
   // what has an origin, and can only be moved
   template <typename T, typename = void>
   struct Is_point : std::false_type
-  {};
+  {
+  };
   template <typename T>
   struct Is_point<T, std::void_t<decltype(std::declval<const T&>() - ORIGIN)>> : std::true_type
-  {};
+  {
+  };
 };
 
 namespace internal {

@@ -12,9 +12,9 @@
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
 #include <CGAL/Anisotropic_hde_remeshing/Measures.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/evaluation.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/measures/Area_sampler.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/measures/Measured_mesh.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/evaluation.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/named_parameters.h>
 
 #include <cstddef>

@@ -61,10 +61,7 @@ struct Surface : shapes::Sphere_function
 {
   bool is_sphere = true;
 
-  FT operator()(const Point_3& p) const
-  {
-    return is_sphere ? shapes::Sphere_function::operator()(p) : std::abs(p.z()) - 0.05;
-  }
+  FT operator()(const Point_3& p) const { return is_sphere ? shapes::Sphere_function::operator()(p) : std::abs(p.z()) - 0.05; }
   Vector_3 gradient(const Point_3& p) const
   {
     return is_sphere ? shapes::Sphere_function::gradient(p) : Vector_3(0, 0, p.z() < 0 ? -1 : 1);
@@ -252,12 +249,12 @@ private:
   internal::Curve_network m_curves{m_mesh};
   Intersections m_intersections{m_mesh, internal::Obstacles(), true};
   const Guard m_guard{m_mesh, m_projection.function(), 1, m_intersections};
-  const internal::Edge_splitter<Tag, Embedding, Projection, Guard> m_split{m_mesh, m_embedding, m_projection,
-                                                                           m_curves, m_guard, m_never};
+  const internal::Edge_splitter<Tag, Embedding, Projection, Guard> m_split{m_mesh,   m_embedding, m_projection,
+                                                                           m_curves, m_guard,     m_never};
   const internal::Edge_collapser<Tag, Embedding, Guard> m_collapse{m_mesh, m_embedding, m_guard, m_never};
   const internal::Edge_flipper<Tag, Embedding, Guard> m_flip{m_mesh, m_embedding, m_guard, m_never};
-  internal::Vertex_smoother<Tag, Embedding, Projection, Guard> m_smooth{m_mesh, m_embedding, m_projection,
-                                                                        m_curves, m_guard, m_never};
+  internal::Vertex_smoother<Tag, Embedding, Projection, Guard> m_smooth{m_mesh,   m_embedding, m_projection,
+                                                                        m_curves, m_guard,     m_never};
   long m_euler_characteristic = 0;
   std::size_t m_number_of_borders = 0, m_number_of_folds = 0;
   bool m_has_intersections = false;

@@ -128,8 +128,7 @@ Pair_of_errors derivative_errors(const Function& function, const std::vector<Poi
       const std::array<Eigen::Vector3d, 3> second = central_differences<Eigen::Vector3d>(gradient, p, step);
       Eigen::Matrix3d hessian;
       hessian << second[0], second[1], second[2];
-      best.first =
-          (std::min)(best.first, (Eigen::Vector3d(first.data()) - exact_gradient).norm() / exact_gradient.norm());
+      best.first = (std::min)(best.first, (Eigen::Vector3d(first.data()) - exact_gradient).norm() / exact_gradient.norm());
       best.second = (std::min)(best.second, (hessian - exact_hessian).norm() / exact_hessian.norm());
     }
     result.first = (std::max)(result.first, best.first);
@@ -159,7 +158,8 @@ public:
       m_diagonal(bounding_box_diagonal(m_mesh)),
       m_table("(a) kernels: ellipsoid 1:2:5, " + text(m_mesh.number_of_faces()) +
               " faces; distances over the diagonal D, derivatives relative to central differences")
-  {}
+  {
+  }
 
   void run()
   {
@@ -196,8 +196,7 @@ private:
     const CGAL::Rbf_implicit_function<Kernel, RadialFunction> function(m_mesh, np);
     const double seconds = timer.time();
     const Hde::internal::Rms_and_max distance = distance_to_ellipsoid(function, m_points);
-    const Pair_of_errors residual = residuals(function, m_mesh),
-                         derivative = derivative_errors(function, m_points_near);
+    const Pair_of_errors residual = residuals(function, m_mesh), derivative = derivative_errors(function, m_points_near);
     const Hde::Rbf_diagnostics& diagnostics = function.diagnostics();
     m_table.add(name, shape, distance.rms / m_diagonal, distance.max / m_diagonal, residual.first / m_diagonal,
                 residual.second / m_diagonal, derivative.first, derivative.second, diagnostics.patches_with_ridge,
@@ -213,10 +212,7 @@ private:
 
 } // namespace
 
-void run_kernel_section()
-{
-  Kernel_section().run();
-}
+void run_kernel_section() { Kernel_section().run(); }
 
 // --- (b) ---
 

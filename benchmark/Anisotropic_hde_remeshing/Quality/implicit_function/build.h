@@ -90,8 +90,7 @@ inline void add_build(Table& table, const std::string& what, const std::size_t n
   table.add("  patches, those on fallback, repaired", text(diagnostics.number_of_patches) + " " +
                                                           text(diagnostics.patches_on_fallback) + " " +
                                                           text(diagnostics.patches_repaired));
-  table.add("  centres of a patch, mean and largest",
-            text(diagnostics.mean_centres) + " " + text(diagnostics.max_centres));
+  table.add("  centres of a patch, mean and largest", text(diagnostics.mean_centres) + " " + text(diagnostics.max_centres));
   table.add("  MB of the function", 1e-6 * double(diagnostics.memory_bytes));
   table.add("  MB of the process while building, at its highest", build.peak_megabytes, memory_asked);
 }
@@ -161,8 +160,7 @@ inline void run_thread_section(const std::vector<Input>& inputs)
   for (const Input& input : inputs)
   {
     const std::vector<Point_3> points = points_on(input.mesh, 20000);
-    const Build_with_threads one = build_with_threads(input.mesh, points, 1),
-                             two = build_with_threads(input.mesh, points, 2);
+    const Build_with_threads one = build_with_threads(input.mesh, points, 1), two = build_with_threads(input.mesh, points, 2);
     table.add(input.name, one.seconds, two.seconds, one.seconds / two.seconds,
               are_bitwise_equal(one.values, two.values) ? "yes" : "NO", "yes");
   }
@@ -171,10 +169,7 @@ inline void run_thread_section(const std::vector<Input>& inputs)
 
 #else
 
-inline void run_thread_section(const std::vector<Input>&)
-{
-  Table("(f) threads: not measured, as TBB is not linked").print();
-}
+inline void run_thread_section(const std::vector<Input>&) { Table("(f) threads: not measured, as TBB is not linked").print(); }
 
 #endif
 

@@ -44,8 +44,7 @@ struct Input
 // points spread evenly over the area, in the order of the faces
 inline std::vector<Point_3> points_on(const Mesh& mesh, const std::size_t number_of_points)
 {
-  const Hde::internal::Measured_mesh measured =
-      Hde::internal::read_measured_mesh(mesh, CGAL::parameters::default_values());
+  const Hde::internal::Measured_mesh measured = Hde::internal::read_measured_mesh(mesh, CGAL::parameters::default_values());
   const Hde::internal::Area_sampler sampler(measured, number_of_points);
   std::vector<Point_3> points;
   points.reserve(sampler.size());

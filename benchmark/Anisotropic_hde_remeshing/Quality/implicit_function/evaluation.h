@@ -78,9 +78,8 @@ inline double nanoseconds_of_square_root()
 inline void run_evaluation_section(const std::vector<Input>& inputs)
 {
   static constexpr std::size_t number_of_points = 100000;
-  Table table(
-      "(c) an evaluation of value and gradient at points of the mesh, one thread; a term is a centre of a patch that "
-      "counts at the point, counted by the kernel; ns/sqrt is the machine's throughput");
+  Table table("(c) an evaluation of value and gradient at points of the mesh, one thread; a term is a centre of a patch that "
+              "counts at the point, counted by the kernel; ns/sqrt is the machine's throughput");
   table.add("mesh", "faces", "us", "terms", "ns/term", "ns/sqrt", "ns/sqrt over ns/term");
   for (const Input& input : inputs)
   {

@@ -95,8 +95,7 @@ inline Sign_count signs_in_box(const Rbf_function& function, const Mesh& mesh, c
 
 inline void run_sign_section(const std::vector<Input>& inputs)
 {
-  Table table(
-      "(e) sign: at points h/4 to 2h away, and in the whole box of closed meshes at points h/4 away and farther");
+  Table table("(e) sign: at points h/4 to 2h away, and in the whole box of closed meshes at points h/4 away and farther");
   table.add("mesh", "points", "wrong", "share", "asked", "points in box", "wrong", "share", "patches", "fallback",
             "failed checks");
   for (const Input& input : inputs)

@@ -81,10 +81,10 @@ public:
     const Facet& facet = m_facets[answer.facet];
     const Vector &a = m_points[facet[0]], &b = m_points[facet[1]], &c = m_points[facet[2]];
     const Vector normal = (b - a).cross(c - a);
-    answer.barycentric = Vector((b - answer.point).cross(c - answer.point).dot(normal),
-                                (c - answer.point).cross(a - answer.point).dot(normal),
-                                (a - answer.point).cross(b - answer.point).dot(normal))
-                             .cwiseMax(0.);
+    answer.barycentric =
+        Vector((b - answer.point).cross(c - answer.point).dot(normal), (c - answer.point).cross(a - answer.point).dot(normal),
+               (a - answer.point).cross(b - answer.point).dot(normal))
+            .cwiseMax(0.);
     const double sum = answer.barycentric.sum();
     answer.barycentric = sum > 0 ? Vector(answer.barycentric / sum) : Vector(Vector::Constant(1. / 3));
     return answer;

@@ -24,8 +24,7 @@ class Loop_body
 {
 public:
   template <typename Function>
-  Loop_body(const Function& f, Interruption& interruption)
-    : m_function(&f), m_interruption(interruption), m_run(&run<Function>)
+  Loop_body(const Function& f, Interruption& interruption) : m_function(&f), m_interruption(interruption), m_run(&run<Function>)
   {
   }
 

@@ -32,8 +32,8 @@ class Surface_distance
 public:
   struct Answer
   {
-    double distance;             // negative inside; not a number where no zero is found
-    Vector normal;               // of the zero set
+    double distance; // negative inside; not a number where no zero is found
+    Vector normal;   // of the zero set
   };
 
   // `unit` of the coordinates, in that of the function

@@ -109,8 +109,8 @@ private:
     Contribution result;
     for (const Node& node : quadrature())
     {
-      const auto at = m_distance(node.barycentric[0] * a + node.barycentric[1] * b + node.barycentric[2] * c,
-                                 largest_distance * longest);
+      const auto at =
+          m_distance(node.barycentric[0] * a + node.barycentric[1] * b + node.barycentric[2] * c, largest_distance * longest);
       if (!std::isfinite(at.distance))
         continue;
       Eigen::Vector3d row;

@@ -26,12 +26,14 @@ namespace internal {
 
 template <typename Function, typename = void>
 struct Has_joint_evaluation : std::false_type
-{};
+{
+};
 
 template <typename Function>
 struct Has_joint_evaluation<Function, std::void_t<decltype(std::declval<const Function&>().value_and_gradient(
                                           std::declval<const typename Function::Point_3&>()))>> : std::true_type
-{};
+{
+};
 
 // value and gradient of any model of `ImplicitFunctionWithGradient`, in one call where it has one for both
 template <typename Function>

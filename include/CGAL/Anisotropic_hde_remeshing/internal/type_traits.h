@@ -21,10 +21,12 @@ namespace internal {
 // error.
 template <typename T, typename = void>
 struct Is_range : std::false_type
-{};
+{
+};
 template <typename T>
 struct Is_range<T, std::void_t<typename T::const_iterator>> : std::true_type
-{};
+{
+};
 
 } // namespace internal
 } // namespace Anisotropic_hde_remeshing

@@ -96,10 +96,7 @@ public:
   const std::vector<Leaf>& leaves() const { return m_leaves; }
 
   // the points are needed for the solve only
-  void release_points()
-  {
-    std::vector<Leaf>().swap(m_leaves);
-  }
+  void release_points() { std::vector<Leaf>().swap(m_leaves); }
 
   // the points of a leaf with another overlap: for a patch to be solved once more with a wider view
   Leaf widened_leaf(const Surface_sample& sample, const std::size_t number, const double overlap) const
@@ -122,8 +119,7 @@ public:
 
   // the blend at `p` of `leaf_jet(number of the leaf)`, which returns a Jet of any order
   template <typename Leaf_jet>
-  auto blend(const Vector& p, const Leaf_jet& leaf_jet, std::size_t node_index = 0) const
-      -> decltype(leaf_jet(std::size_t(0)))
+  auto blend(const Vector& p, const Leaf_jet& leaf_jet, std::size_t node_index = 0) const -> decltype(leaf_jet(std::size_t(0)))
   {
     constexpr int order = decltype(leaf_jet(std::size_t(0)))::order;
     while (!m_nodes[node_index].is_leaf)
@@ -268,8 +264,7 @@ private:
   }
 
   // the plane across the longest principal axis of the points that divides them in the ratio of the leaves to come
-  Node split_plane(const Surface_sample& sample, const std::vector<std::size_t>& own,
-                   const std::size_t number_of_leaves) const
+  Node split_plane(const Surface_sample& sample, const std::vector<std::size_t>& own, const std::size_t number_of_leaves) const
   {
     Node node;
     node.is_leaf = false;
@@ -279,8 +274,7 @@ private:
     for (const std::size_t i : own)
       coordinates.emplace_back(rounded(node.normal.dot(sample.points[i])), i);
     const std::size_t leaves = (std::max)(number_of_leaves, std::size_t(2));
-    const std::size_t middle =
-        (std::min)((std::max)(own.size() * ((leaves + 1) / 2) / leaves, std::size_t(1)), own.size() - 1);
+    const std::size_t middle = (std::min)((std::max)(own.size() * ((leaves + 1) / 2) / leaves, std::size_t(1)), own.size() - 1);
     std::nth_element(coordinates.begin(), coordinates.begin() + middle, coordinates.end());
     const auto last_of_left = *std::max_element(coordinates.begin(), coordinates.begin() + middle);
     node.position = 0.5 * (last_of_left.first + coordinates[middle].first);

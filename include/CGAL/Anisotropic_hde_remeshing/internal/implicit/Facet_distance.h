@@ -119,7 +119,7 @@ private:
   {
     Vector sum = Vector::Zero();
     for (auto edge = std::lower_bound(m_edge_normals.begin(), m_edge_normals.end(), key(i, j),
-                                      [](const Edge_normal& e, const auto& k) { return e.first < k; });
+                                      [](const Edge_normal&e, const auto&k) { return e.first < k; });
          edge != m_edge_normals.end() && edge->first == key(i, j); ++edge)
       sum += edge->second;
     return sum;

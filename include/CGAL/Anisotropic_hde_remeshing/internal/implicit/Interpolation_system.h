@@ -118,8 +118,7 @@ private:
 
   // Overwrites `u` by the solution of the system with it as the right-hand side, and the lower triangle of the matrix by its
   // factor; returns the largest residual, infinite if the matrix is not positive definite.
-  static double solve_definite(Eigen::Ref<Eigen::MatrixXd> matrix, const double ridge, Eigen::VectorXd& u,
-                               double& condition)
+  static double solve_definite(Eigen::Ref<Eigen::MatrixXd> matrix, const double ridge, Eigen::VectorXd& u, double& condition)
   {
     if (ridge > 0)
       matrix.diagonal().array() += ridge * matrix.diagonal().mean();
@@ -203,9 +202,9 @@ private:
     const Eigen::ArrayXd pivots = lu.matrixLU().diagonal().array().abs();
     result.condition = pivots.maxCoeff() / pivots.minCoeff();
     const Eigen::VectorXd residual = matrix * solution - right;
-    result.relative_residual =
-        solution.allFinite() ? Interpolation_coefficients::relative(residual.lpNorm<Eigen::Infinity>(), data)
-                             : std::numeric_limits<double>::infinity();
+    result.relative_residual = solution.allFinite()
+                                   ? Interpolation_coefficients::relative(residual.lpNorm<Eigen::Infinity>(), data)
+                                   : std::numeric_limits<double>::infinity();
     return result;
   }
 

@@ -58,13 +58,12 @@ Jet<order> interpolated(const Jet<order>& left, const Jet<order>& right, const J
   const double difference = right.value - left.value;
   result.value = left.value + weight.value * difference;
   if constexpr (order >= 1)
-    result.gradient =
-        left.gradient + weight.value * (right.gradient - left.gradient) + difference * weight.gradient;
+    result.gradient = left.gradient + weight.value * (right.gradient - left.gradient) + difference * weight.gradient;
   if constexpr (order >= 2)
   {
     const Matrix mixed = weight.gradient * (right.gradient - left.gradient).transpose();
-    result.hessian = left.hessian + weight.value * (right.hessian - left.hessian) + mixed + mixed.transpose() +
-                     difference * weight.hessian;
+    result.hessian =
+        left.hessian + weight.value * (right.hessian - left.hessian) + mixed + mixed.transpose() + difference * weight.hessian;
   }
   return result;
 }

@@ -37,12 +37,13 @@ namespace internal {
 
 template <typename RadialFunction, typename = void>
 struct Has_compact_support : std::false_type
-{};
+{
+};
 template <typename RadialFunction>
-struct Has_compact_support<RadialFunction,
-                           std::void_t<decltype(std::declval<const RadialFunction&>().support_radius())>>
+struct Has_compact_support<RadialFunction, std::void_t<decltype(std::declval<const RadialFunction&>().support_radius())>>
   : std::true_type
-{};
+{
+};
 
 // The boxes about ranges of a sequence of blocks of centres, in preorder: to pass over those beyond the support of a kernel.
 class Block_tree
@@ -209,10 +210,8 @@ private:
   template <bool is_weighted, typename Function, int order>
   void add_block(const Function& function, const Eigen::Index column, const Vector& y, Sums<order>& sums) const
   {
-    const Lanes difference[3] = {y[0] - m_blocks.col(column), y[1] - m_blocks.col(column + 1),
-                                 y[2] - m_blocks.col(column + 2)};
-    const Lanes squared_radius =
-        difference[0] * difference[0] + difference[1] * difference[1] + difference[2] * difference[2];
+    const Lanes difference[3] = {y[0] - m_blocks.col(column), y[1] - m_blocks.col(column + 1), y[2] - m_blocks.col(column + 2)};
+    const Lanes squared_radius = difference[0] * difference[0] + difference[1] * difference[1] + difference[2] * difference[2];
     sums.squared_distance = sums.squared_distance.min(squared_radius);
     Lanes phi, first, second;
     if constexpr (order < 2)

@@ -90,8 +90,7 @@ public:
   template <int order>
   Jet<order> smooth_distance(const Vector& p, const double squared_distance) const
   {
-    Jet<order> sum =
-        m_sum.template evaluate_unweighted<order>(m_frame(p), Inverse_power{1. / squared_distance});
+    Jet<order> sum = m_sum.template evaluate_unweighted<order>(m_frame(p), Inverse_power{1. / squared_distance});
     if constexpr (order >= 1)
       sum.gradient /= m_frame.unit;
     if constexpr (order >= 2)

@@ -67,8 +67,8 @@ public:
   }
 
 private:
-  static double valid_offset(const Surface_sample& sample, const Blending_tree::Leaf& leaf, const std::size_t i,
-                             double offset, const double side)
+  static double valid_offset(const Surface_sample& sample, const Blending_tree::Leaf& leaf, const std::size_t i, double offset,
+                             const double side)
   {
     if (sample.normals[i].isZero(0))
       return 0;

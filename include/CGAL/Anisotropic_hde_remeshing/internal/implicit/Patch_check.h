@@ -104,8 +104,8 @@ public:
   }
 
 private:
-  static constexpr double least_height = 1e-3; // over the longest edge
-  static constexpr double large_facet = 2;     // its longest edge, in units of the spacing of its points
+  static constexpr double least_height = 1e-3;  // over the longest edge
+  static constexpr double large_facet = 2;      // its longest edge, in units of the spacing of its points
   static constexpr double least_distance = 0.2; // where the sign counts, in units of the spacing
 
   double longest_edge(const Facet& facet) const
@@ -116,8 +116,7 @@ private:
 
   bool is_large(const Facet& facet) const
   {
-    const double spacing =
-        (m_sample.spacings[facet[0]] + m_sample.spacings[facet[1]] + m_sample.spacings[facet[2]]) / 3;
+    const double spacing = (m_sample.spacings[facet[0]] + m_sample.spacings[facet[1]] + m_sample.spacings[facet[2]]) / 3;
     return longest_edge(facet) > large_facet * spacing;
   }
 

@@ -77,10 +77,12 @@ class Patch_solver
 
   template <typename T, typename = void>
   struct Has_unit : std::false_type
-  {};
+  {
+  };
   template <typename T>
   struct Has_unit<T, std::void_t<decltype(std::declval<T&>().set_unit(1.))>> : std::true_type
-  {};
+  {
+  };
 
 public:
   // `unit_of_length` of the caller in the coordinates of the sample
@@ -114,18 +116,15 @@ public:
       const Polynomial_null_space null_space(polynomials);
       if (with_squares && null_space.independence() < least_independence)
         continue;
-      const Interpolation_coefficients solution =
-          solve(centres, polynomials, null_space, function, settings.smoothing, data);
+      const Interpolation_coefficients solution = solve(centres, polynomials, null_space, function, settings.smoothing, data);
       result.record.relative_residual = solution.relative_residual;
       result.record.condition = solution.condition;
       result.record.solver = solution.solver;
       if (solution.solver == Solver::FAILED)
         continue;
-      result.record.value_residual =
-          frame.unit * (solution.relative_residual * data.template lpNorm<Eigen::Infinity>() +
-                        settings.smoothing * solution.weights.template lpNorm<Eigen::Infinity>());
-      result.interpolant =
-          Interpolant(frame, centres, solution.weights, basis.combination(solution.polynomial), function);
+      result.record.value_residual = frame.unit * (solution.relative_residual * data.template lpNorm<Eigen::Infinity>() +
+                                                   settings.smoothing * solution.weights.template lpNorm<Eigen::Infinity>());
+      result.interpolant = Interpolant(frame, centres, solution.weights, basis.combination(solution.polynomial), function);
       break;
     }
     return result;
@@ -139,8 +138,7 @@ private:
     if constexpr (Has_compact_support<RadialFunction>::value)
     {
       static_assert(RadialFunction::order == 0, "a function of compact support is expected to be positive definite");
-      if (centres.cols() >= least_sparse_size &&
-          density_of_interpolation_matrix(centres, function) < largest_density)
+      if (centres.cols() >= least_sparse_size && density_of_interpolation_matrix(centres, function) < largest_density)
       {
         const auto matrix = sparse_interpolation_matrix(centres, function, smoothing);
         const Interpolation_coefficients solution = Sparse_interpolation_system(matrix, polynomials).solve(data);

@@ -88,8 +88,8 @@ public:
     const std::size_t number_of_patches = parameters.number_of_patches > 0
                                               ? parameters.number_of_patches
                                               : Interpolation_parameters::patches_of(m_sample->size());
-    m_tree = Blending_tree(ConcurrencyTag(), *m_sample, number_of_patches, parameters.patch_blending,
-                           parameters.patch_overlap, maximum_points_of_patch(number_of_patches, parameters), interruption);
+    m_tree = Blending_tree(ConcurrencyTag(), *m_sample, number_of_patches, parameters.patch_blending, parameters.patch_overlap,
+                           maximum_points_of_patch(number_of_patches, parameters), interruption);
     m_diagnostics.partition_seconds = timer.time();
     timer.reset();
     const Offsets offsets(*m_sample, m_tree, parameters.relative_offset, parameters.absolute_offset,
@@ -147,8 +147,7 @@ private:
     const Places places = places_of_leaves();
     std::vector<Patch_result> results(n);
     parallel_for<ConcurrencyTag>(
-        n, [&](const std::size_t k) { results[k] = solve_patch(solver, places, parameters, k); }, 1,
-        interruption);
+        n, [&](const std::size_t k) { results[k] = solve_patch(solver, places, parameters, k); }, 1, interruption);
     interruption.check();
     summarise(results);
   }
@@ -178,8 +177,7 @@ private:
     attempt_again(leaf, Patch_settings{smaller_offset, parameters.smoothing});
     attempt_again(leaf, Patch_settings{1, smoothing});
     if (best.failures > 0)
-      attempt_again(m_tree.widened_leaf(*m_sample, k, wider_overlap * parameters.patch_overlap),
-                    Patch_settings{1, smoothing});
+      attempt_again(m_tree.widened_leaf(*m_sample, k, wider_overlap * parameters.patch_overlap), Patch_settings{1, smoothing});
     if (double(best.failures) > largest_share_of_failures * number_of_checks)
     {
       m_patches[k].is_on_fallback = true;
@@ -238,18 +236,14 @@ private:
   }
 
   // that of the facet or the point, and one more for each further place
-  std::size_t parity(const std::size_t number) const
-  {
-    return m_sample->facets.empty() ? number : number / 4 + number % 4;
-  }
+  std::size_t parity(const std::size_t number) const { return m_sample->facets.empty() ? number : number / 4 + number % 4; }
 
   Places places_of_leaves() const
   {
     Places result(m_tree.leaves().size());
     Patch_check(*m_sample, *m_distance)
-        .visit_places(
-            [&](const std::size_t number, const Patch_check::Place& place)
-            { m_tree.visit_leaves(place.point, [&](const std::size_t k) { result[k].push_back(number); }); });
+        .visit_places([&](const std::size_t number, const Patch_check::Place& place)
+                      { m_tree.visit_leaves(place.point, [&](const std::size_t k) { result[k].push_back(number); }); });
     return result;
   }
 

@@ -81,8 +81,7 @@ public:
     if (m_has_squares)
     {
       const Matrix mixed = m_u * m_v.transpose();
-      result.quadratic = coefficients[4] * m_u * m_u.transpose() +
-                         0.5 * coefficients[5] * (mixed + mixed.transpose()) +
+      result.quadratic = coefficients[4] * m_u * m_u.transpose() + 0.5 * coefficients[5] * (mixed + mixed.transpose()) +
                          coefficients[6] * m_v * m_v.transpose();
     }
     return result;

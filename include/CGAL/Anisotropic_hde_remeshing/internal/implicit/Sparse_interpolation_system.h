@@ -60,8 +60,7 @@ public:
       return result;
     const Eigen::VectorXd residual =
         data - m_polynomials * result.polynomial - m_matrix.template selfadjointView<Eigen::Lower>() * result.weights;
-    result.relative_residual =
-        Interpolation_coefficients::relative(residual.lpNorm<Eigen::Infinity>(), data);
+    result.relative_residual = Interpolation_coefficients::relative(residual.lpNorm<Eigen::Infinity>(), data);
     if (result.relative_residual <= Interpolation_coefficients::largest_residual)
       result.solver = Solver::SPARSE_CHOLESKY;
     return result;

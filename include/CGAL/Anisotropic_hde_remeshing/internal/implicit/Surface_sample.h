@@ -119,8 +119,8 @@ inline void merge_duplicate_points(Surface_sample& sample)
   std::iota(order.begin(), order.end(), std::size_t(0));
   const auto key = [&](const std::size_t i)
   { return std::make_tuple(sample.points[i][0], sample.points[i][1], sample.points[i][2]); };
-  std::sort(order.begin(), order.end(), [&](const std::size_t i, const std::size_t j)
-            { return std::make_pair(key(i), i) < std::make_pair(key(j), j); });
+  std::sort(order.begin(), order.end(),
+            [&](const std::size_t i, const std::size_t j) { return std::make_pair(key(i), i) < std::make_pair(key(j), j); });
   std::vector<char> is_kept(sample.size(), 1);
   std::vector<std::size_t> kept(sample.size()), new_index(sample.size()); // by old index: who stands for it, and where
   std::iota(kept.begin(), kept.end(), std::size_t(0));

@@ -28,8 +28,8 @@ namespace internal {
 
 // The matrix of the paper's (11), A_ij = sign phi(|y_i - y_j|), with the ridge `smoothing` added to the diagonal.
 template <typename RadialFunction>
-Eigen::MatrixXd interpolation_matrix(const Eigen::Matrix<double, 3, Eigen::Dynamic>& centres,
-                                     const RadialFunction& function, const double smoothing)
+Eigen::MatrixXd interpolation_matrix(const Eigen::Matrix<double, 3, Eigen::Dynamic>& centres, const RadialFunction& function,
+                                     const double smoothing)
 {
   const Eigen::Index n = centres.cols();
   Eigen::MatrixXd matrix(n, n);
@@ -48,8 +48,7 @@ Eigen::MatrixXd interpolation_matrix(const Eigen::Matrix<double, 3, Eigen::Dynam
 
 // the share of the entries that a function of compact support leaves different from zero, from a sample of the rows
 template <typename RadialFunction>
-double density_of_interpolation_matrix(const Eigen::Matrix<double, 3, Eigen::Dynamic>& centres,
-                                       const RadialFunction& function)
+double density_of_interpolation_matrix(const Eigen::Matrix<double, 3, Eigen::Dynamic>& centres, const RadialFunction& function)
 {
   static constexpr Eigen::Index rows = 50;
   const double support = function.support_radius();
@@ -72,7 +71,8 @@ Eigen::SparseMatrix<double> sparse_interpolation_matrix(const Eigen::Matrix<doub
   (centres.rowwise().maxCoeff() - centres.rowwise().minCoeff()).maxCoeff(&axis);
   std::vector<Eigen::Index> order(std::size_t(centres.cols()));
   std::iota(order.begin(), order.end(), Eigen::Index(0));
-  std::sort(order.begin(), order.end(), [&](const Eigen::Index i, const Eigen::Index j)
+  std::sort(order.begin(), order.end(),
+            [&](const Eigen::Index i, const Eigen::Index j)
             { return std::make_pair(centres(axis, i), i) < std::make_pair(centres(axis, j), j); });
   const double support = function.support_radius();
   std::vector<Eigen::Triplet<double>> entries;

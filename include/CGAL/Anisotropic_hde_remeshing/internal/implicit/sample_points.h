@@ -30,21 +30,22 @@ void compute_spacings(Surface_sample& sample, Interruption& interruption)
   if (sample.points.empty())
     return; // which a search tree does not like
   const Point_search search(sample.points);
-  parallel_for<ConcurrencyTag>(sample.size(),
-                               [&](const std::size_t i)
-                               {
-                                 double sum = 0;
-                                 std::size_t count = 0;
-                                 // the nearest is the point itself
-                                 for (const auto& neighbor : search.nearest(sample.points[i], number_of_neighbors + 1))
-                                   if (neighbor.second != i)
-                                   {
-                                     sum += std::sqrt(neighbor.first);
-                                     ++count;
-                                   }
-                                 sample.spacings[i] = count > 0 ? sum / double(count) : 0.;
-                               },
-                               256, interruption);
+  parallel_for<ConcurrencyTag>(
+      sample.size(),
+      [&](const std::size_t i)
+      {
+        double sum = 0;
+        std::size_t count = 0;
+        // the nearest is the point itself
+        for (const auto& neighbor : search.nearest(sample.points[i], number_of_neighbors + 1))
+          if (neighbor.second != i)
+          {
+            sum += std::sqrt(neighbor.first);
+            ++count;
+          }
+        sample.spacings[i] = count > 0 ? sum / double(count) : 0.;
+      },
+      256, interruption);
   interruption.check();
 }
 

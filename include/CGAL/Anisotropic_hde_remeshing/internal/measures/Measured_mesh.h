@@ -89,7 +89,8 @@ class Mesh_reader
 public:
   Mesh_reader(const TriangleMesh& mesh, const VertexPointMap& point_map)
     : m_mesh(mesh), m_point_map(point_map), m_indices(get(dynamic_vertex_property_t<std::size_t>(), mesh))
-  {}
+  {
+  }
 
   template <typename GeomTraits>
   Measured_mesh read(const GeomTraits& traits)
@@ -200,8 +201,7 @@ inline double aspect_ratio(const Vector& p, const Vector& q, const Vector& r)
     sides[i] /= scale;
     lengths[i] = sides[i].norm();
   }
-  const int longest =
-      lengths[0] >= lengths[1] ? (lengths[0] >= lengths[2] ? 0 : 2) : (lengths[1] >= lengths[2] ? 1 : 2);
+  const int longest = lengths[0] >= lengths[1] ? (lengths[0] >= lengths[2] ? 0 : 2) : (lengths[1] >= lengths[2] ? 1 : 2);
   const double squared_area_4 = sides[(longest + 1) % 3].cross(sides[(longest + 2) % 3]).squaredNorm(); // 4 A^2
   if (!(squared_area_4 > 0))
     return std::numeric_limits<double>::infinity();

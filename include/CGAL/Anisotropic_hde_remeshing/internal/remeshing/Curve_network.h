@@ -46,8 +46,7 @@ public:
     std::vector<char> is_traced(edge_capacity(mesh), 0);
     for (const bool from_corners : {true, false}) // what no corner reaches is closed
       for (const Halfedge_index h : mesh.halfedges())
-        if (is_named_later(mesh.arc(h)) && !is_traced[mesh.edge(h)] &&
-            (mesh.point(mesh.source(h)).is_fixed || !from_corners))
+        if (is_named_later(mesh.arc(h)) && !is_traced[mesh.edge(h)] && (mesh.point(mesh.source(h)).is_fixed || !from_corners))
           trace(h, mesh, is_traced);
   }
 

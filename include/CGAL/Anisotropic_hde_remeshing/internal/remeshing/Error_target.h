@@ -44,8 +44,8 @@ class Error_target
   static constexpr double smallest_face = 4;
 
 public:
-  Error_target(const Mesh& mesh, const Function& function, const Input_surface& input, const double unit,
-               const double error, Interruption& interruption)
+  Error_target(const Mesh& mesh, const Function& function, const Input_surface& input, const double unit, const double error,
+               Interruption& interruption)
     : m_mesh(mesh), m_to_input{input}, m_bound(function, unit, m_to_input), m_error(error), m_interruption(interruption)
   {
   }
@@ -129,7 +129,7 @@ private:
   {
     std::array<Vertex_index, 3> vertices; // of the face when it was looked at
     double bound = 0;                     // 0 on curves
-    int attempts = 0; // how often it has failed with these vertices; 0: it has passed, or is hopeless
+    int attempts = 0;                     // how often it has failed with these vertices; 0: it has passed, or is hopeless
   };
 
   const Vector& point(const Vertex_index v) const { return m_mesh.point(v).point; }

@@ -11,9 +11,9 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
+#include <CGAL/Anisotropic_hde_remeshing/internal/folded_edge.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Local_change.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Working_mesh.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/folded_edge.h>
 
 #include <boost/container/small_vector.hpp>
 

@@ -35,8 +35,8 @@ struct Indexed_triangle
 
   double squared_length() const // of the longest edge
   {
-    return (std::max)({(points[1] - points[0]).squaredNorm(), (points[2] - points[1]).squaredNorm(),
-                       (points[0] - points[2]).squaredNorm()});
+    return (std::max)(
+        {(points[1] - points[0]).squaredNorm(), (points[2] - points[1]).squaredNorm(), (points[0] - points[2]).squaredNorm()});
   }
 };
 

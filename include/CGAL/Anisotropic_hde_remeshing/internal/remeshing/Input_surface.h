@@ -32,8 +32,7 @@ public:
     for (const Facet& facet : m_facets)
     {
       // weighted by area, as the sum of the cross products is
-      const Vector area =
-          (m_points[facet[1]] - m_points[facet[0]]).cross(m_points[facet[2]] - m_points[facet[0]]);
+      const Vector area = (m_points[facet[1]] - m_points[facet[0]]).cross(m_points[facet[2]] - m_points[facet[0]]);
       for (const std::size_t v : facet)
         m_normals[v] += area;
     }

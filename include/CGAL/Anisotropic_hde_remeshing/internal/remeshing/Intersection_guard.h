@@ -37,8 +37,8 @@ class Intersection_guard
   {
     bool operator()(const Entry& a, const Entry& b) const { return a.second == b.second; }
   };
-  typedef boost::geometry::index::rtree<Entry, boost::geometry::index::quadratic<16>,
-                                        boost::geometry::index::indexable<Entry>, Is_same>
+  typedef boost::geometry::index::rtree<Entry, boost::geometry::index::quadratic<16>, boost::geometry::index::indexable<Entry>,
+                                        Is_same>
       Tree;
 
 public:

@@ -51,10 +51,7 @@ public:
   const Old_faces& old_faces() const { return m_old_faces; }
   const New_faces& new_faces() const { return m_new_faces; }
 
-  bool removes(const Face_index f) const
-  {
-    return std::find(m_old_faces.begin(), m_old_faces.end(), f) != m_old_faces.end();
-  }
+  bool removes(const Face_index f) const { return std::find(m_old_faces.begin(), m_old_faces.end(), f) != m_old_faces.end(); }
 
 private:
   const Mesh& m_mesh;

@@ -43,12 +43,19 @@ class No_intersections
 public:
   bool is_active() const { return false; }
   template <typename ConcurrencyTag, typename StateOf>
-  void assign(const StateOf&, Interruption&) {}
+  void assign(const StateOf&, Interruption&)
+  {
+  }
   template <typename Change>
-  bool accepts(const Change&) const { return true; }
+  bool accepts(const Change&) const
+  {
+    return true;
+  }
   void update(Face_index) {}
   template <typename ConcurrencyTag, typename Moves>
-  void revert(Moves&, Interruption&, Fold_test) {}
+  void revert(Moves&, Interruption&, Fold_test)
+  {
+  }
 };
 
 // No operation lets a face intersect another one, or an obstacle, that none of the faces before has intersected.
@@ -76,16 +83,17 @@ public:
     std::vector<char> is_used(triangles.size(), 1);
     triangles.resize(number(face_capacity(m_mesh)));
     is_used.resize(triangles.size(), 0);
-    parallel_for<ConcurrencyTag>(face_capacity(m_mesh),
-                                 [&](const std::size_t i)
-                                 {
-                                   const Face_index f(static_cast<Face_index::size_type>(i));
-                                   if (m_mesh.is_removed(f))
-                                     return;
-                                   triangles[number(i)] = triangle(f, state_of);
-                                   is_used[number(i)] = 1;
-                                 },
-                                 256, interruption);
+    parallel_for<ConcurrencyTag>(
+        face_capacity(m_mesh),
+        [&](const std::size_t i)
+        {
+          const Face_index f(static_cast<Face_index::size_type>(i));
+          if (m_mesh.is_removed(f))
+            return;
+          triangles[number(i)] = triangle(f, state_of);
+          is_used[number(i)] = 1;
+        },
+        256, interruption);
     m_guard.assign(std::move(triangles), std::move(is_used));
   }
 
@@ -181,10 +189,9 @@ private:
       return result;
     const Indexed_triangle before = triangle(f, in_mesh);
     result.erase(std::remove_if(result.begin(), result.end(),
-                                [&](const std::size_t g)
-                                {
-                                  return do_triangles_intersect(
-                                      before, is_obstacle(g) ? m_obstacles.triangles[g] : triangle(face(g), in_mesh));
+                                [&](const std::size_t g) {
+                                  return do_triangles_intersect(before, is_obstacle(g) ? m_obstacles.triangles[g]
+                                                                                       : triangle(face(g), in_mesh));
                                 }),
                  result.end());
     return result;

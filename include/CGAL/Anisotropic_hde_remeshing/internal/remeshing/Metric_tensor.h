@@ -31,10 +31,7 @@ struct Metric_tensor
 
   Metric_tensor() = default;
 
-  explicit Metric_tensor(const Matrix& m)
-    : xx(m(0, 0)), yy(m(1, 1)), zz(m(2, 2)), xy(m(0, 1)), xz(m(0, 2)), yz(m(1, 2))
-  {
-  }
+  explicit Metric_tensor(const Matrix& m) : xx(m(0, 0)), yy(m(1, 1)), zz(m(2, 2)), xy(m(0, 1)), xz(m(0, 2)), yz(m(1, 2)) {}
 
   Matrix matrix() const
   {

@@ -18,9 +18,9 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Local_operations.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Operation_guard.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Target_length.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Vertex_projector.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/remeshing_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/reorder_mesh.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Vertex_projector.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/update_metric.h>
 
 #include <algorithm>
@@ -79,8 +79,14 @@ public:
   Remesher(Mesh& mesh, const Embedding& embedding, const Projection& projection, const Curve_network& curves,
            Intersections& intersections, const Remeshing_parameters& parameters, const double diagonal, Visitor& visitor,
            Interruption& interruption, Remeshing_result& result)
-    : m_mesh(mesh), m_embedding(embedding), m_projection(projection), m_parameters(parameters), m_diagonal(diagonal),
-      m_visitor(visitor), m_interruption(interruption), m_result(result),
+    : m_mesh(mesh),
+      m_embedding(embedding),
+      m_projection(projection),
+      m_parameters(parameters),
+      m_diagonal(diagonal),
+      m_visitor(visitor),
+      m_interruption(interruption),
+      m_result(result),
       m_guard(mesh, projection.function(), projection.unit(), intersections),
       m_operations(mesh, embedding, projection, curves, m_guard, interruption, result),
       m_projector(mesh, embedding, projection, m_guard, result)
@@ -156,8 +162,7 @@ private:
 
   void limit_number_of_faces(const double wanted, Target_length& target)
   {
-    m_result.binding_target =
-        wanted < m_largest_number_of_faces ? Target::APPROXIMATION_ERROR : Target::NUMBER_OF_FACES;
+    m_result.binding_target = wanted < m_largest_number_of_faces ? Target::APPROXIMATION_ERROR : Target::NUMBER_OF_FACES;
     const double number_of_faces = (std::max)((std::min)(wanted, m_largest_number_of_faces), 4.);
     target.set_number_of_faces(number_of_faces);
     // where the number binds, the error cannot be kept
@@ -231,8 +236,7 @@ private:
   void iterate(const Target_length& target)
   {
     const double number_of_faces = target.number_of_faces() * alternating_factor(target.number_of_faces());
-    const double length =
-        m_length_factor * target.length() * std::sqrt(target.number_of_faces() / number_of_faces);
+    const double length = m_length_factor * target.length() * std::sqrt(target.number_of_faces() / number_of_faces);
     split(length, number_of_faces);
     report(0.2);
     collapse(length);

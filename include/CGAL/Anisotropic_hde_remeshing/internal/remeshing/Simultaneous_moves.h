@@ -11,8 +11,8 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
-#include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/folded_edge.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Face_guard.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Working_mesh.h>
 
@@ -27,7 +27,7 @@ namespace internal {
 // what counts as a fold
 enum class Fold_test
 {
-  EDGES,            // where the vertices have no normals yet; faces that lose their height fold, too
+  EDGES, // where the vertices have no normals yet; faces that lose their height fold, too
   NORMALS_AND_EDGES
 };
 
@@ -55,16 +55,17 @@ public:
   template <typename ConcurrencyTag, typename IsChosen, typename Propose>
   void propose(const IsChosen& is_chosen, const Propose& propose, Interruption& interruption)
   {
-    parallel_for<ConcurrencyTag>(m_states.size(),
-                                 [&](const std::size_t i)
-                                 {
-                                   const Vertex_index v(static_cast<Vertex_index::size_type>(i));
-                                   if (m_mesh.is_removed(v) || !is_chosen(v))
-                                     return;
-                                   m_states[i] = m_mesh.point(v);
-                                   m_is_moved[i] = propose(v, m_states[i]);
-                                 },
-                                 64, interruption);
+    parallel_for<ConcurrencyTag>(
+        m_states.size(),
+        [&](const std::size_t i)
+        {
+          const Vertex_index v(static_cast<Vertex_index::size_type>(i));
+          if (m_mesh.is_removed(v) || !is_chosen(v))
+            return;
+          m_states[i] = m_mesh.point(v);
+          m_is_moved[i] = propose(v, m_states[i]);
+        },
+        64, interruption);
   }
 
   bool is_moved(const Vertex_index v) const { return m_is_moved[v]; }
@@ -188,8 +189,7 @@ private:
   bool folds_over_edge(const Halfedge_index h) const
   {
     const Halfedge_index g = m_mesh.opposite(h);
-    return is_folded_edge(moved_normal(h), moved_normal(g)) &&
-           !is_folded_edge(face_normal(h, m_mesh), face_normal(g, m_mesh));
+    return is_folded_edge(moved_normal(h), moved_normal(g)) && !is_folded_edge(face_normal(h, m_mesh), face_normal(g, m_mesh));
   }
 
   Vector moved_normal(const Halfedge_index h) const

@@ -36,14 +36,13 @@ public:
 private:
   static constexpr int newton_steps = 8;
   static constexpr int bisection_steps = 60;
-  static constexpr double settled = 1e-4;   // of the distance that counts as exact: Newton's method ends
+  static constexpr double settled = 1e-4;    // of the distance that counts as exact: Newton's method ends
   static constexpr double largest_jump = 10; // in the same, where a change of sign counts as a zero
 
 public:
   // Lengths: `exact_distance` to the zero set is reached by exact projections; `unit` of the coordinates, in that of the
   // function.
-  Surface_projection(const Function& function, const Input_surface& input, const double exact_distance,
-                     const double unit = 1)
+  Surface_projection(const Function& function, const Input_surface& input, const double exact_distance, const double unit = 1)
     : m_function(function), m_input(input), m_exact_distance(exact_distance), m_unit(unit)
   {
   }
@@ -68,10 +67,7 @@ public:
   }
 
   // onto the zero set, as near as doubles allow
-  void project(Vertex_state& state, const double trust_radius) const
-  {
-    project(state, trust_radius, m_exact_distance);
-  }
+  void project(Vertex_state& state, const double trust_radius) const { project(state, trust_radius, m_exact_distance); }
 
   // One evaluation where the start is nearer than `good_distance`: Newton's step from there leaves a distance quadratic in
   // it. For the iterations, whose vertices move again; the remesher projects all of them exactly in the end.

@@ -95,8 +95,8 @@ public:
       const Triangle t(m_mesh.halfedge(f), m_mesh);
       facets.push_back(Facet{t.a, t.b, t.c});
     }
-    Vertex_fitter<ConcurrencyTag, typename Projection::Function>(m_projection.function(), m_projection.unit())(
-        points, normals, is_free, facets);
+    Vertex_fitter<ConcurrencyTag, typename Projection::Function>(m_projection.function(), m_projection.unit())(points, normals,
+                                                                                                               is_free, facets);
     Moves moves(m_mesh);
     moves.template propose<ConcurrencyTag>([&](const Vertex_index v) { return bool(is_free[v]); },
                                            [&](const Vertex_index v, Vertex& state)

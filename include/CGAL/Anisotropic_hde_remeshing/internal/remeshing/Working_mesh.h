@@ -44,10 +44,10 @@ struct Vertex_state
 
   Vector point = Vector::Zero();
   Vector normal = Vector::Zero();
-  double last_step = 0;     // of the projection; what is left of the distance to the surface is quadratic in it
+  double last_step = 0;                   // of the projection; what is left of the distance to the surface is quadratic in it
   std::uint32_t input_vertex = no_vertex; // its number in the input, if it comes from there
-  bool is_on_curve = false; // of a boundary or of constrained edges, which the vertex does not leave
-  bool is_fixed = false;    // never moved nor removed
+  bool is_on_curve = false;               // of a boundary or of constrained edges, which the vertex does not leave
+  bool is_fixed = false;                  // never moved nor removed
 
   // whether it was put where the surface is expected, without looking
   bool is_predicted() const { return std::isinf(last_step); }
@@ -112,10 +112,7 @@ public:
     return is_first(h) ? arc : arc.reversed();
   }
 
-  void set_arc(const Halfedge_index h, const Curve_arc& arc)
-  {
-    m_arcs[edge(h)] = is_first(h) ? arc : arc.reversed();
-  }
+  void set_arc(const Halfedge_index h, const Curve_arc& arc) { m_arcs[edge(h)] = is_first(h) ? arc : arc.reversed(); }
 
   std::size_t input_face(const Face_index f) const { return m_input_faces[f]; }
   void set_input_face(const Face_index f, const std::size_t input_face) { m_input_faces[f] = input_face; }
@@ -136,11 +133,20 @@ private:
 
 // the numbers of places that vectors indexed by vertices, edges, faces need, removed elements included
 template <typename Mesh>
-std::size_t vertex_capacity(const Mesh& mesh) { return mesh.num_vertices(); }
+std::size_t vertex_capacity(const Mesh& mesh)
+{
+  return mesh.num_vertices();
+}
 template <typename Mesh>
-std::size_t edge_capacity(const Mesh& mesh) { return mesh.num_edges(); }
+std::size_t edge_capacity(const Mesh& mesh)
+{
+  return mesh.num_edges();
+}
 template <typename Mesh>
-std::size_t face_capacity(const Mesh& mesh) { return mesh.num_faces(); }
+std::size_t face_capacity(const Mesh& mesh)
+{
+  return mesh.num_faces();
+}
 
 // the three vertices of the face of a halfedge that is not on the border
 struct Triangle
@@ -148,8 +154,7 @@ struct Triangle
   Vertex_index a, b, c;
 
   template <typename Mesh>
-  Triangle(const Halfedge_index h, const Mesh& mesh)
-    : a(mesh.source(h)), b(mesh.target(h)), c(mesh.target(mesh.next(h)))
+  Triangle(const Halfedge_index h, const Mesh& mesh) : a(mesh.source(h)), b(mesh.target(h)), c(mesh.target(mesh.next(h)))
   {
   }
 };

@@ -57,13 +57,11 @@ public:
   std::size_t operator()(const double length, const double longest, const std::size_t maximum = std::size_t(-1)) const
   {
     const double squared_length = length * length, squared_longest = longest * longest;
-    const std::vector<Keyed_edge> candidates =
-        short_edges(squared_length, maximum == std::size_t(-1) ? classes_per_octave : 0);
+    const std::vector<Keyed_edge> candidates = short_edges(squared_length, maximum == std::size_t(-1) ? classes_per_octave : 0);
     std::vector<char> is_refused(candidates.size(), 0), is_touched(vertex_capacity(m_mesh), 0);
     parallel_for<ConcurrencyTag>(
-        candidates.size(),
-        [&](const std::size_t i) { is_refused[i] = !may_collapse(candidates[i].second, squared_longest); }, 64,
-        m_interruption);
+        candidates.size(), [&](const std::size_t i) { is_refused[i] = !may_collapse(candidates[i].second, squared_longest); },
+        64, m_interruption);
     std::size_t number_of_collapses = 0;
     for (std::size_t i = 0; i < candidates.size(); ++i)
     {
@@ -91,15 +89,16 @@ private:
   // if there are to be classes.
   std::vector<Keyed_edge> short_edges(const double limit, const double classes) const
   {
-    return sorted_edges<ConcurrencyTag>(m_mesh,
-                                        [&](const Edge_index e)
-                                        {
-                                          const double length = squared_length(e);
-                                          if (!(length < limit))
-                                            return no_key;
-                                          return classes > 0 ? std::ceil(classes * std::log2(length / limit)) : length;
-                                        },
-                                        m_interruption);
+    return sorted_edges<ConcurrencyTag>(
+        m_mesh,
+        [&](const Edge_index e)
+        {
+          const double length = squared_length(e);
+          if (!(length < limit))
+            return no_key;
+          return classes > 0 ? std::ceil(classes * std::log2(length / limit)) : length;
+        },
+        m_interruption);
   }
 
   bool may_collapse(const Edge_index e, const double squared_longest) const
@@ -184,8 +183,7 @@ private:
   {
     const Halfedge_index before = m_mesh.opposite(Curve_network::next_on_curve(m_mesh.opposite(h), m_mesh));
     const Curve_arc first = m_mesh.arc(before), second = m_mesh.arc(h);
-    return {m_mesh.source(before),
-            Curve_arc{first.curve, first.source, first.target + (second.target - second.source)}};
+    return {m_mesh.source(before), Curve_arc{first.curve, first.source, first.target + (second.target - second.source)}};
   }
 
   // the longest squared edge that contracting h to its target makes; the largest double if that is not allowed
@@ -197,7 +195,7 @@ private:
     if (from.is_fixed || (from.is_on_curve && !may_shorten_curve(h)))
       return not_allowed;
     double longest = 0;
-    for (Halfedge_index in = m_mesh.opposite(h); ; )
+    for (Halfedge_index in = m_mesh.opposite(h);;)
     {
       // `in` ends at the removed vertex
       const Vertex_index neighbor = m_mesh.source(in);
@@ -224,8 +222,7 @@ private:
       return true; // it vanishes
     const Vertex &a = m_mesh.point(t.a), &c = m_mesh.point(t.c);
     const double after = Face_guard::quality(a, to, c);
-    return after >= Face_guard::smallest_cosine ||
-           Face_guard::accepts(after, Face_guard::quality(a, m_mesh.point(t.b), c));
+    return after >= Face_guard::smallest_cosine || Face_guard::accepts(after, Face_guard::quality(a, m_mesh.point(t.b), c));
   }
 
   // A vertex of a curve goes along the curve only, past no face whose other edge is on it, too. The curve does not become much

@@ -136,8 +136,7 @@ private:
       if (m_interruption.poll())
         break;
       const Quad q = quad(e);
-      const bool is_changed =
-          is_touched[q.a] || is_touched[q.b] || is_touched[q.c] || is_touched[q.d] || !m_guard.is_local();
+      const bool is_changed = is_touched[q.a] || is_touched[q.b] || is_touched[q.c] || is_touched[q.d] || !m_guard.is_local();
       if (is_changed && !gains(e, criterion, valences))
         continue;
       flip(e, q, valences);
@@ -180,10 +179,10 @@ private:
   bool gains_valence(const Quad& q, const std::vector<int>& valences) const
   {
     const auto square = [](const int x) { return x * x; };
-    const int before = square(valences[q.a] - 6) + square(valences[q.b] - 6) + square(valences[q.c] - 6) +
-                       square(valences[q.d] - 6);
-    const int after = square(valences[q.a] - 7) + square(valences[q.b] - 7) + square(valences[q.c] - 5) +
-                      square(valences[q.d] - 5);
+    const int before =
+        square(valences[q.a] - 6) + square(valences[q.b] - 6) + square(valences[q.c] - 6) + square(valences[q.d] - 6);
+    const int after =
+        square(valences[q.a] - 7) + square(valences[q.b] - 7) + square(valences[q.c] - 5) + square(valences[q.d] - 5);
     if (after >= before)
       return false;
     double cosine_before, cosine_after;

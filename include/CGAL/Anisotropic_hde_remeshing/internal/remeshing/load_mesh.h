@@ -44,9 +44,9 @@ struct Mesh_origin
   typedef boost::graph_traits<TriangleMesh> Graph_traits;
 
   std::vector<typename Graph_traits::vertex_descriptor> vertices; // by Vertex_state::input_vertex
-  std::vector<typename Graph_traits::face_descriptor> faces; // the remeshed ones, by Working_mesh::input_face()
-  std::vector<std::size_t> face_positions;                   // among all faces of the input
-  std::vector<Facet> facets;                                 // their vertices, from that on which comes first in the input
+  std::vector<typename Graph_traits::face_descriptor> faces;      // the remeshed ones, by Working_mesh::input_face()
+  std::vector<std::size_t> face_positions;                        // among all faces of the input
+  std::vector<Facet> facets;                                      // their vertices, from that on which comes first in the input
   std::size_t number_of_isolated_vertices = 0;
   double diagonal = 0; // of the box about the whole input
   double unit = 1;     // of the copy: the power of two that makes the diagonal less than one but no less than a half
@@ -63,8 +63,7 @@ class Mesh_loader
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
 public:
-  Mesh_loader(const TriangleMesh& tmesh, const VertexPointMap vpm, const Constraints& constraints,
-              Interruption& interruption)
+  Mesh_loader(const TriangleMesh& tmesh, const VertexPointMap vpm, const Constraints& constraints, Interruption& interruption)
     : m_tmesh(tmesh), m_vpm(vpm), m_constraints(constraints), m_interruption(interruption)
   {
   }
@@ -189,10 +188,7 @@ private:
     }
   }
 
-  static Vertex_index vertex_index(const std::size_t i)
-  {
-    return Vertex_index(static_cast<Vertex_index::size_type>(i));
-  }
+  static Vertex_index vertex_index(const std::size_t i) { return Vertex_index(static_cast<Vertex_index::size_type>(i)); }
 
   // the boundary, the constrained edges, and those between two patches; where the other faces begin, nothing is touched
   void mark_curves(Mesh& mesh) const
@@ -206,8 +202,7 @@ private:
         arc.curve = mark(h);
         if (arc.curve == Curve_arc::none)
           continue;
-        const Vertex_index from = vertex_index(get(m_vertex_of, prev(h, m_tmesh))),
-                           to = vertex_index(get(m_vertex_of, h));
+        const Vertex_index from = vertex_index(get(m_vertex_of, prev(h, m_tmesh))), to = vertex_index(get(m_vertex_of, h));
         mesh.set_arc(mesh.halfedge(from, to), arc);
       }
     }

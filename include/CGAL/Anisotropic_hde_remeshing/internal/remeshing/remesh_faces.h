@@ -112,7 +112,8 @@ auto intersections_parameter(const NamedParameters& np, const Mesh& mesh, const 
   if constexpr (is_given<NamedParameters, internal_np::do_self_intersection_tests_t>)
   {
     const bool is_active = parameters::get_parameter(np, internal_np::do_self_intersection_tests);
-    return Mesh_intersections<Mesh>(mesh, is_active && !is_whole_mesh ? load_obstacles(tmesh, vpm, origin) : Obstacles(), is_active);
+    return Mesh_intersections<Mesh>(mesh, is_active && !is_whole_mesh ? load_obstacles(tmesh, vpm, origin) : Obstacles(),
+                                    is_active);
   }
   else
     return No_intersections();
@@ -144,8 +145,8 @@ std::vector<Input_location> locations_on_input(const Mesh& mesh, const Input_sur
 
 // loads the faces, remeshes them and stores them
 template <typename ConcurrencyTag, typename FaceRange, typename TriangleMesh, typename Function, typename NamedParameters>
-Remeshing_result remesh_faces(const FaceRange& faces, TriangleMesh& tmesh, const Function& function,
-                              const bool is_whole_mesh, const NamedParameters& np)
+Remeshing_result remesh_faces(const FaceRange& faces, TriangleMesh& tmesh, const Function& function, const bool is_whole_mesh,
+                              const NamedParameters& np)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -193,8 +194,8 @@ Remeshing_result remesh_faces(const FaceRange& faces, TriangleMesh& tmesh, const
   const bool is_all_replaced = is_whole_mesh && !is_constrained<NamedParameters>;
   if (is_all_replaced)
     result.number_of_isolated_vertices = origin.number_of_isolated_vertices;
-  Mesh_storer<ConcurrencyTag, Mesh, TriangleMesh, decltype(vpm), std::decay_t<decltype(constraints)>> store(
-      mesh, origin, tmesh, vpm, constraints);
+  Mesh_storer<ConcurrencyTag, Mesh, TriangleMesh, decltype(vpm), std::decay_t<decltype(constraints)>> store(mesh, origin, tmesh,
+                                                                                                            vpm, constraints);
   store(is_all_replaced);
   if constexpr (is_given<NamedParameters, internal_np::vertex_location_map_t>)
     for (const Vertex_index v : mesh.vertices())

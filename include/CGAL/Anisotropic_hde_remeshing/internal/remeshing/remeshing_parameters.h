@@ -85,8 +85,8 @@ Remeshing_parameters remeshing_parameters(const NamedParameters& np)
       "smoothing_ratio", choose_parameter(get_parameter(np, internal_np::smoothing_ratio), result.smoothing_ratio), 0, 1);
   result.collapse_ratio = checked_between(
       "collapse_ratio", choose_parameter(get_parameter(np, internal_np::collapse_ratio), result.collapse_ratio), 0, 1);
-  result.split_ratio = checked_between(
-      "split_ratio", choose_parameter(get_parameter(np, internal_np::split_ratio), result.split_ratio), 1, 100);
+  result.split_ratio =
+      checked_between("split_ratio", choose_parameter(get_parameter(np, internal_np::split_ratio), result.split_ratio), 1, 100);
   result.fit_to_surface = choose_parameter(get_parameter(np, internal_np::fit_to_surface), false);
   return result;
 }
@@ -111,8 +111,8 @@ auto embedding_parameter(const NamedParameters& np, const double diagonal)
   else if constexpr (has_sigma)
     return Normal_embedding(CGAL::to_double(get_parameter(np, internal_np::sigma)));
   else if constexpr (has_relative_sigma)
-    return Normal_embedding(diagonal * checked_not_negative("relative_sigma", CGAL::to_double(get_parameter(
-                                                                np, internal_np::relative_sigma))));
+    return Normal_embedding(
+        diagonal * checked_not_negative("relative_sigma", CGAL::to_double(get_parameter(np, internal_np::relative_sigma))));
   else if constexpr (is_error_given<NamedParameters>)
     return Curvature_metric(std::numeric_limits<double>::infinity());
   else
@@ -157,8 +157,9 @@ Target_length target_length(const NamedParameters& np, const double diagonal, co
         checked_positive("target_edge_length", CGAL::to_double(get_parameter(np, internal_np::target_edge_length))) / unit);
   else if constexpr (has_relative_length)
     return Target_length::of_length(
-        diagonal / unit * checked_positive("relative_target_edge_length",
-                                    CGAL::to_double(get_parameter(np, internal_np::relative_target_edge_length))));
+        diagonal / unit *
+        checked_positive("relative_target_edge_length",
+                         CGAL::to_double(get_parameter(np, internal_np::relative_target_edge_length))));
   else if constexpr (has_count)
     return Target_length::of_number_of_faces(checked_count(
         "number_of_target_faces", get_parameter(np, internal_np::number_of_target_faces), largest_number_of_faces));
@@ -215,10 +216,10 @@ auto mesh_constraints(const NamedParameters& np)
 
 // whether elements of the caller's mesh keep their descriptors
 template <typename NamedParameters>
-constexpr bool is_constrained = is_given<NamedParameters, internal_np::edge_is_constrained_t> ||
-                                is_given<NamedParameters, internal_np::vertex_is_constrained_t> ||
-                                is_given<NamedParameters, internal_np::face_patch_t> ||
-                                is_given<NamedParameters, internal_np::protect_constraints_t>;
+constexpr bool is_constrained =
+    is_given<NamedParameters, internal_np::edge_is_constrained_t> ||
+    is_given<NamedParameters, internal_np::vertex_is_constrained_t> || is_given<NamedParameters, internal_np::face_patch_t> ||
+    is_given<NamedParameters, internal_np::protect_constraints_t>;
 
 } // namespace internal
 } // namespace Anisotropic_hde_remeshing

@@ -62,7 +62,8 @@ private:
       points.emplace_back(Point_3(p[0], p[1], p[2]), v);
     }
     typedef First_of_pair_property_map<std::pair<Point_3, Vertex_index>> Point_map;
-    hilbert_sort<ConcurrencyTag>(points.begin(), points.end(), Spatial_sort_traits_adapter_3<Simple_cartesian<double>, Point_map>());
+    hilbert_sort<ConcurrencyTag>(points.begin(), points.end(),
+                                 Spatial_sort_traits_adapter_3<Simple_cartesian<double>, Point_map>());
     if (m_interruption.ask())
       return;
     m_ordered.resize(m_mesh.number_of_vertices(), m_mesh.number_of_edges(), m_mesh.number_of_faces());
@@ -144,7 +145,7 @@ private:
   Mesh& m_mesh;
   Interruption& m_interruption;
   Mesh m_ordered;
-  std::vector<Vertex_index> m_vertices;     // of the ordered mesh, by those of the mesh
+  std::vector<Vertex_index> m_vertices;    // of the ordered mesh, by those of the mesh
   std::vector<Halfedge_index> m_halfedges; // likewise
 };
 

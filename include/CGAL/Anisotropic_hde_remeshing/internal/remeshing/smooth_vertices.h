@@ -55,10 +55,15 @@ class Vertex_smoother
   static constexpr double largest_predicted_step = 0.1;
 
 public:
-  Vertex_smoother(Mesh& mesh, const Embedding& embedding, const Projection& projection,
-                  const Curve_network& curves, const Guard& guard, Interruption& interruption)
-    : m_mesh(mesh), m_embedding(embedding), m_projection(projection), m_curves(curves), m_guard(guard),
-      m_interruption(interruption), m_moves(mesh)
+  Vertex_smoother(Mesh& mesh, const Embedding& embedding, const Projection& projection, const Curve_network& curves,
+                  const Guard& guard, Interruption& interruption)
+    : m_mesh(mesh),
+      m_embedding(embedding),
+      m_projection(projection),
+      m_curves(curves),
+      m_guard(guard),
+      m_interruption(interruption),
+      m_moves(mesh)
   {
   }
 
@@ -118,9 +123,9 @@ private:
         continue;
       const Triangle t(h, m_mesh);
       const Vertex &a = m_mesh.point(t.a), &b = m_mesh.point(t.b), &c = m_mesh.point(t.c);
-      largest = (std::max)(largest, Embedded_triangle::largest_cosine(m_embedding.squared_length(a, b),
-                                                                      m_embedding.squared_length(b, c),
-                                                                      m_embedding.squared_length(c, a)));
+      largest = (std::max)(largest,
+                           Embedded_triangle::largest_cosine(m_embedding.squared_length(a, b), m_embedding.squared_length(b, c),
+                                                             m_embedding.squared_length(c, a)));
     }
     return largest;
   }
@@ -193,8 +198,8 @@ private:
   }
 
   // the surface is an osculating paraboloid up to third order
-  static Vector on_paraboloid(const Eigen::Vector2d& step, const Tangent_frame& frame,
-                              const Eigen::Matrix2d& shape_operator, const Vector& normal)
+  static Vector on_paraboloid(const Eigen::Vector2d& step, const Tangent_frame& frame, const Eigen::Matrix2d& shape_operator,
+                              const Vector& normal)
   {
     return frame * step - 0.5 * step.dot(shape_operator * step) * normal;
   }
@@ -232,9 +237,8 @@ private:
       around.shape_operator.add_neighbor(edge, frame.transpose() * (a.normal - state.normal));
       around.centroid.add_neighbor(edge, a);
       around.squared_radius = (std::min)(around.squared_radius, (a.point - state.point).squaredNorm());
-      const double weight =
-          Embedded_triangle::area(m_embedding.squared_length(state, a), m_embedding.squared_length(a, b),
-                                  m_embedding.squared_length(b, state));
+      const double weight = Embedded_triangle::area(m_embedding.squared_length(state, a), m_embedding.squared_length(a, b),
+                                                    m_embedding.squared_length(b, state));
       weights += weight;
       around.centroid.add_face(weight, a, b);
     }

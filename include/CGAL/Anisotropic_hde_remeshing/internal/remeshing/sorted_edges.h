@@ -35,14 +35,15 @@ template <typename ConcurrencyTag, typename Mesh, typename Key>
 std::vector<Keyed_edge> sorted_edges(const Mesh& mesh, const Key& key, Interruption& interruption)
 {
   std::vector<double> keys(edge_capacity(mesh), no_key);
-  parallel_for<ConcurrencyTag>(keys.size(),
-                               [&](const std::size_t i)
-                               {
-                                 const Edge_index e(static_cast<Edge_index::size_type>(i));
-                                 if (!mesh.is_removed(e) && mesh.arc(mesh.halfedge(e)).curve != Curve_arc::untouchable)
-                                   keys[i] = key(e);
-                               },
-                               256, interruption);
+  parallel_for<ConcurrencyTag>(
+      keys.size(),
+      [&](const std::size_t i)
+      {
+        const Edge_index e(static_cast<Edge_index::size_type>(i));
+        if (!mesh.is_removed(e) && mesh.arc(mesh.halfedge(e)).curve != Curve_arc::untouchable)
+          keys[i] = key(e);
+      },
+      256, interruption);
   std::vector<Keyed_edge> result;
   if (interruption.is_requested())
     return result; // not all have keys

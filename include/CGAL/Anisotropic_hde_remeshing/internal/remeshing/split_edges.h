@@ -41,9 +41,13 @@ class Edge_splitter
   static constexpr double largest_half = 0.98;
 
 public:
-  Edge_splitter(Mesh& mesh, const Embedding& embedding, const Projection& projection,
-                const Curve_network& curves, const Guard& guard, Interruption& interruption)
-    : m_mesh(mesh), m_embedding(embedding), m_projection(projection), m_curves(curves), m_guard(guard),
+  Edge_splitter(Mesh& mesh, const Embedding& embedding, const Projection& projection, const Curve_network& curves,
+                const Guard& guard, Interruption& interruption)
+    : m_mesh(mesh),
+      m_embedding(embedding),
+      m_projection(projection),
+      m_curves(curves),
+      m_guard(guard),
       m_interruption(interruption)
   {
   }
@@ -101,13 +105,14 @@ private:
   // the longest first
   std::vector<Candidate> long_edges(const double limit, const std::size_t maximum) const
   {
-    std::vector<Keyed_edge> edges = sorted_edges<ConcurrencyTag>(m_mesh,
-                                                                 [&](const Edge_index e)
-                                                                 {
-                                                                   const double length = squared_length(e);
-                                                                   return length > limit ? -length : no_key;
-                                                                 },
-                                                                 m_interruption);
+    std::vector<Keyed_edge> edges = sorted_edges<ConcurrencyTag>(
+        m_mesh,
+        [&](const Edge_index e)
+        {
+          const double length = squared_length(e);
+          return length > limit ? -length : no_key;
+        },
+        m_interruption);
     edges.resize((std::min)(edges.size(), maximum));
     std::vector<Candidate> candidates;
     candidates.reserve(edges.size());

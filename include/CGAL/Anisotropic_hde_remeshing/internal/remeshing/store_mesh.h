@@ -141,10 +141,15 @@ class Mesh_storer
   typedef typename Graph_traits::face_descriptor Face;
 
 public:
-  Mesh_storer(const Mesh& mesh, const Mesh_origin<TriangleMesh>& origin, TriangleMesh& tmesh,
-              const VertexPointMap vpm, const Constraints& constraints)
-    : m_mesh(mesh), m_origin(origin), m_tmesh(tmesh), m_vpm(vpm), m_constraints(constraints),
-      m_vertices(vertex_capacity(mesh)), m_halfedges(mesh.num_halfedges(), Graph_traits::null_halfedge())
+  Mesh_storer(const Mesh& mesh, const Mesh_origin<TriangleMesh>& origin, TriangleMesh& tmesh, const VertexPointMap vpm,
+              const Constraints& constraints)
+    : m_mesh(mesh),
+      m_origin(origin),
+      m_tmesh(tmesh),
+      m_vpm(vpm),
+      m_constraints(constraints),
+      m_vertices(vertex_capacity(mesh)),
+      m_halfedges(mesh.num_halfedges(), Graph_traits::null_halfedge())
   {
   }
 
@@ -176,10 +181,7 @@ public:
   Vertex vertex(const Vertex_index v) const { return m_vertices[v]; }
 
 private:
-  bool is_untouchable(const Edge_index e) const
-  {
-    return m_mesh.arc(m_mesh.halfedge(e)).curve == Curve_arc::untouchable;
-  }
+  bool is_untouchable(const Edge_index e) const { return m_mesh.arc(m_mesh.halfedge(e)).curve == Curve_arc::untouchable; }
 
   static std::size_t index(const Halfedge_index h) { return std::size_t(h); }
 
@@ -218,7 +220,11 @@ private:
   // the edges and vertices of the faces that are replaced, but those that are kept; and the border that stays
   Old_elements list_old_elements()
   {
-    enum : char { STAYS, GOES };
+    enum : char
+    {
+      STAYS,
+      GOES
+    };
     const auto edge_state = get(dynamic_edge_property_t<char>(), m_tmesh);
     const auto vertex_state = get(dynamic_vertex_property_t<char>(), m_tmesh);
     for (const Edge e : edges(m_tmesh))
@@ -264,15 +270,9 @@ private:
       remove_vertex(v, m_tmesh);
   }
 
-  bool is_kept(const Vertex_index v, const bool is_all_replaced) const
-  {
-    return !is_all_replaced && m_mesh.point(v).is_fixed;
-  }
+  bool is_kept(const Vertex_index v, const bool is_all_replaced) const { return !is_all_replaced && m_mesh.point(v).is_fixed; }
 
-  bool is_kept(const Edge_index e) const
-  {
-    return m_halfedges[index(m_mesh.halfedge(e))] != Graph_traits::null_halfedge();
-  }
+  bool is_kept(const Edge_index e) const { return m_halfedges[index(m_mesh.halfedge(e))] != Graph_traits::null_halfedge(); }
 
   // and reserves memory for their border
   void list_new_elements(const bool is_all_replaced)
@@ -400,7 +400,7 @@ private:
   const VertexPointMap m_vpm;
   const Constraints& m_constraints;
   std::vector<Vertex> m_vertices;
-  std::vector<Halfedge> m_halfedges; // of the caller's mesh, by those of the working mesh
+  std::vector<Halfedge> m_halfedges;        // of the caller's mesh, by those of the working mesh
   std::vector<Vertex_index> m_new_vertices; // what the caller's mesh does not have yet
   std::vector<Edge_index> m_new_edges;
   std::vector<Face_index> m_new_faces;

@@ -47,9 +47,12 @@ class Metric_updater
 public:
   // `diagonal` is that of the mesh, `length` the target in the metric; as long as it is 0, there are neither bounds nor a limit
   Metric_updater(Mesh& mesh, const Metric& metric, const double diagonal, const double length, Interruption& interruption)
-    : m_mesh(mesh), m_metric(metric), m_length(length),
+    : m_mesh(mesh),
+      m_metric(metric),
+      m_length(length),
       m_least(square(length / (metric.longest_edge() * diagonal))),
-      m_largest(square(length / (metric.shortest_edge() * diagonal))), m_interruption(interruption)
+      m_largest(square(length / (metric.shortest_edge() * diagonal))),
+      m_interruption(interruption)
   {
   }
 
@@ -70,14 +73,15 @@ private:
   template <typename Function>
   void for_each_vertex(const Function& f)
   {
-    parallel_for<ConcurrencyTag>(vertex_capacity(m_mesh),
-                                 [&](const std::size_t i)
-                                 {
-                                   const Vertex_index v(static_cast<Vertex_index::size_type>(i));
-                                   if (!m_mesh.is_removed(v))
-                                     f(v);
-                                 },
-                                 64, m_interruption);
+    parallel_for<ConcurrencyTag>(
+        vertex_capacity(m_mesh),
+        [&](const std::size_t i)
+        {
+          const Vertex_index v(static_cast<Vertex_index::size_type>(i));
+          if (!m_mesh.is_removed(v))
+            f(v);
+        },
+        64, m_interruption);
   }
 
   Eigen::Matrix2d metric_of_curvature(const Vertex_index v) const
@@ -146,10 +150,10 @@ private:
     auto& vertex = m_mesh.point(v);
     const Tangent_frame frame = tangent_frame(vertex.normal);
     // across the surface as along its shortest edges: two sheets that face each other do not count as near
-    const double across = 0.5 * (m_metrics[v].trace() + std::sqrt((std::max)(
-                                                            square(m_metrics[v].trace()) - 4 * m_metrics[v].determinant(), 0.)));
-    static_cast<Metric_tensor&>(vertex) = Metric_tensor(frame * m_metrics[v] * frame.transpose() +
-                                                        across * vertex.normal * vertex.normal.transpose());
+    const double across =
+        0.5 * (m_metrics[v].trace() + std::sqrt((std::max)(square(m_metrics[v].trace()) - 4 * m_metrics[v].determinant(), 0.)));
+    static_cast<Metric_tensor&>(vertex) =
+        Metric_tensor(frame * m_metrics[v] * frame.transpose() + across * vertex.normal * vertex.normal.transpose());
   }
 
   Mesh& m_mesh;
