@@ -110,10 +110,18 @@ public:
   }
 
 private:
+  // what is known of a face: two flat ones do not fold over their edge, and the edge of two that do not move is as it was
+  enum : char
+  {
+    BENT,
+    FLAT,
+    UNMOVED
+  };
+
   template <typename ConcurrencyTag>
   std::vector<Face_index> folded_faces(Interruption& interruption, const Fold_test test) const
   {
-    std::vector<char> is_folded(face_capacity(m_mesh), 0), is_flat(face_capacity(m_mesh), 0);
+    std::vector<char> is_folded(face_capacity(m_mesh), 0), shapes(face_capacity(m_mesh), BENT);
     const auto for_each_face = [&](const auto& visit)
     {
       parallel_for<ConcurrencyTag>(
@@ -126,14 +134,14 @@ private:
           },
           256, interruption);
     };
-    for_each_face([&](const Face_index f) { is_folded[f] = folds(f, test, is_flat[f]); });
+    for_each_face([&](const Face_index f) { is_folded[f] = folds(f, test, shapes[f]); });
     for_each_face(
         [&](const Face_index f)
         {
           for (const Halfedge_index h : m_mesh.halfedges_around_face(m_mesh.halfedge(f)))
           {
             const Face_index g = m_mesh.face(m_mesh.opposite(h));
-            if (g.is_valid() && !(is_flat[f] && is_flat[g]) && folds_over_edge(h))
+            if (g.is_valid() && (shapes[f] != shapes[g] || shapes[f] == BENT) && folds_over_edge(h))
               is_folded[f] = 1;
           }
         });
@@ -147,8 +155,8 @@ private:
   // the face of h, and those beyond its edges, where they are folded
   void add_if_folded(const Halfedge_index h, const Fold_test test, std::vector<Face_index>& faces) const
   {
-    char is_flat = 0;
-    bool is_folded = folds(m_mesh.face(h), test, is_flat);
+    char shape = BENT;
+    bool is_folded = folds(m_mesh.face(h), test, shape);
     for (const Halfedge_index side : m_mesh.halfedges_around_face(h))
     {
       const Halfedge_index beyond = m_mesh.opposite(side);
@@ -161,26 +169,32 @@ private:
       faces.push_back(m_mesh.face(h));
   }
 
-  // whether the moves fold the face itself; `is_flat` is as below, or not changed
-  bool folds(const Face_index f, const Fold_test test, char& is_flat) const
+  // whether the moves fold the face itself; `shape` tells what is known of it, or is not changed
+  bool folds(const Face_index f, const Fold_test test, char& shape) const
   {
     const Halfedge_index h = m_mesh.halfedge(f);
+    const Triangle t(h, m_mesh);
+    if (!m_is_moved[t.a] && !m_is_moved[t.b] && !m_is_moved[t.c])
+    {
+      shape = UNMOVED;
+      return false;
+    }
     if (test == Fold_test::NORMALS_AND_EDGES)
-      return folds_over_normals(f, is_flat);
+      return folds_over_normals(t, shape);
     return moved_normal(h).isZero(0) && !face_normal(h, m_mesh).isZero(0);
   }
 
   // Whether the moves fold the face over the normals of its vertices. It is flat if it could not even fold over an edge with
   // another flat one: with three normals within 60 degrees, their sum is within 35.3 degrees of that of two of them, and the face
   // within 34.9 degrees of it. On both sides of an edge that is less than 141 degrees.
-  bool folds_over_normals(const Face_index f, char& is_flat) const
+  bool folds_over_normals(const Triangle& t, char& shape) const
   {
-    const Triangle t(m_mesh.halfedge(f), m_mesh);
     const Vertex &a = state(t.a), &b = state(t.b), &c = state(t.c);
     const double after = Face_guard::quality(a, b, c);
-    is_flat = after > flat_cosine &&
-              (std::min)({a.normal.dot(b.normal), b.normal.dot(c.normal), c.normal.dot(a.normal)}) > flat_cosine_of_normals;
-    if (after >= Face_guard::smallest_cosine || (!m_is_moved[t.a] && !m_is_moved[t.b] && !m_is_moved[t.c]))
+    if (after > flat_cosine &&
+        (std::min)({a.normal.dot(b.normal), b.normal.dot(c.normal), c.normal.dot(a.normal)}) > flat_cosine_of_normals)
+      shape = FLAT;
+    if (after >= Face_guard::smallest_cosine)
       return false;
     return !Face_guard::accepts(after, Face_guard::quality(m_mesh.point(t.a), m_mesh.point(t.b), m_mesh.point(t.c)));
   }
