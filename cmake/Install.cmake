@@ -27,11 +27,11 @@ write_basic_package_version_file(
   COMPATIBILITY SameMinorVersion
   ARCH_INDEPENDENT)
 
-install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/CGAL" DESTINATION "${CGAL_AHR_INSTALL_INCLUDE_DIR}")
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/CGAL" DESTINATION "${CGAL_AHR_INSTALL_INCLUDE_DIR}" COMPONENT headers)
 install(
   FILES
     "${PROJECT_BINARY_DIR}/cmake/Anisotropic_hde_remeshingConfig.cmake"
     "${PROJECT_BINARY_DIR}/cmake/Anisotropic_hde_remeshingConfigVersion.cmake"
     "${PROJECT_SOURCE_DIR}/cmake/Anisotropic_hde_remeshing_target.cmake"
-  DESTINATION "${CGAL_AHR_INSTALL_CMAKE_DIR}")
-install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+  DESTINATION "${CGAL_AHR_INSTALL_CMAKE_DIR}" COMPONENT headers)
+install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT headers)

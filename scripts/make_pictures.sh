@@ -7,55 +7,174 @@
 #
 # Author(s)     : The Anisotropic_hde_remeshing developers
 
-# Makes the picture of the README from the package's own run: installs what is missing (packages of Debian), builds
-# hde_remesh, remeshes CGAL's bunny and renders both meshes off screen with the same cameras.
-# Usage: scripts/make_pictures.sh
+# Makes the pictures of the README and the manual from the package's own runs: installs what is missing (packages of Debian),
+# builds hde_remesh and draw_function, remeshes, and renders off screen, the same part with the same camera.
+# Usage: scripts/make_pictures.sh [LUCY VESSEL]
+# Those of Lucy and of a vessel are made if their meshes are given: the Stanford statue, and any vessel, standing upright in y.
 # BUILD_DIR (default build/hde_remesh) and JOBS (default 2) may be set in the environment.
 
 set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+absolute_paths "$@"
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-source scripts/common.sh
 
 build_dir=${BUILD_DIR:-build/hde_remesh}
-picture_dir=doc/Anisotropic_hde_remeshing/fig
+picture_dir=$(realpath -m doc/Anisotropic_hde_remeshing/fig)
 
-# to_obj FILE.off: the mesh as OBJ, as it is; f3d does not read OFF
+# to_obj IN OUT.obj: the mesh as it is; f3d does not read OFF
 to_obj() {
-  awk '
-    { sub(/#.*/, "") }
-    NF == 0 || $1 == "OFF" { next }
-    !has_counts { number_of_vertices = $1; has_counts = 1; next }
-    read < number_of_vertices { print "v", $1, $2, $3; ++read; next }
-    { print "f", $2 + 1, $3 + 1, $4 + 1 }' "$1"
+  if [[ $1 == *.off ]]; then
+    awk '
+      { sub(/#.*/, "") }
+      NF == 0 || $1 == "OFF" { next }
+      !has_counts { number_of_vertices = $1; has_counts = 1; next }
+      read < number_of_vertices { print "v", $1, $2, $3; ++read; next }
+      { print "f", $2 + 1, $3 + 1, $4 + 1 }' "$1" > "$2"
+  else
+    "$program" "$1" "$2" --iterations 0 --quiet --no-distance
+  fi
 }
 
-# render MESH PICTURE SIZE CAMERA FOCAL_POINT ANGLE: the mesh with its edges, seen from CAMERA towards FOCAL_POINT with y
-# upwards, the angle in degrees. Twice the size that is wanted, as f3d does not smooth lines.
+# camera MESH.obj DIRECTION FOCUS WIDTH: the options of f3d for a view of the part of the mesh that is FOCUS=X,Y,Z off the middle of
+# its bounding box, WIDTH high, seen from DIRECTION=X,Y,Z; all but the direction are fractions of the diagonal
+camera() {
+  awk -v direction="$2" -v focus="$3" -v width="$4" '
+    /^v / { for (i = 2; i <= 4; ++i) {
+        if (!count || $i < low[i]) low[i] = $i
+        if (!count || $i > high[i]) high[i] = $i
+      }
+      ++count
+    }
+    END {
+      split(direction, d, ","); split(focus, f, ",")
+      for (i = 2; i <= 4; ++i) diagonal += (high[i] - low[i]) ^ 2
+      diagonal = sqrt(diagonal)
+      for (i = 1; i <= 3; ++i) length_of_d += d[i] ^ 2
+      distance = diagonal * width / (2 * sin(10 * 3.14159265 / 180) / cos(10 * 3.14159265 / 180))
+      for (i = 1; i <= 3; ++i) {
+        focal[i] = (low[i + 1] + high[i + 1]) / 2 + f[i] * diagonal
+        position[i] = focal[i] + distance * d[i] / sqrt(length_of_d)
+      }
+      printf "--camera-view-angle 20 --camera-focal-point %.9g,%.9g,%.9g --camera-position %.9g,%.9g,%.9g", focal[1], focal[2], focal[3],
+        position[1], position[2], position[3]
+    }' "$1"
+}
+
+# render MESH PICTURE SIZE CAMERA [OPTION...]: twice the size that is wanted, as f3d does not smooth lines
 render() {
-  xvfb-run -a f3d --dry-run --quiet --edges --line-width 2 --color .95,.9,.8 --no-background --resolution "$3" \
-    --camera-position "$4" --camera-focal-point "$5" --camera-view-up 0,1,0 --camera-view-angle "$6" \
-    --output "$2" "$1"
+  local view
+  read -r -a view <<< "$4"
+  xvfb-run -a f3d --dry-run --quiet --line-width 2 --color .95,.9,.8 --no-background --resolution "$3" --camera-view-up 0,1,0 \
+    "${view[@]}" "${@:5}" --output "$2" "$1"
+}
+
+# with_colors: the options for the colours of draw_function
+with_colors=(--scalars=RGBA --comp=-2 --roughness 1)
+
+# finish PICTURE OPTION...: of the parts, halved, in few colours, which keep the file small
+finish() {
+  convert "${@:2}" +repage -background white -alpha remove -resize 50% -strip "$picture_dir/$1"
+  echo "$picture_dir/$1"
+}
+gray=(-colorspace Gray -colors 32)
+
+bunny_before_and_after() {
+  to_obj "$bunny" before.obj
+  "$program" "$bunny" after.obj --faces 12000 --sigma .03 --quiet
+  for mesh in before after; do
+    render $mesh.obj $mesh-whole.png 1400,1200 "$(camera before.obj 0,0,1 0,0,0 .74)" --edges
+    render $mesh.obj $mesh-ears.png 1400,1000 "$(camera before.obj 2.2,1.84,1.2 -.02,.22,0 .25)" --edges
+  done
+  finish before_after.png \( before-whole.png after-whole.png +append \) \( before-ears.png after-ears.png +append \) -append "${gray[@]}"
+}
+
+lucy_at_two_levels() {
+  to_obj "$1" lucy.obj
+  local faces
+  for faces in 60000 20000; do
+    "$program" "$1" "lucy-$faces.obj" --faces $faces --sigma .01 --quiet
+  done
+  for mesh in lucy lucy-60000 lucy-20000; do
+    render $mesh.obj $mesh-whole.png 960,1500 "$(camera lucy.obj 0,.15,1 0,0,0 .9)" --edges
+    render $mesh.obj $mesh-bust.png 960,960 "$(camera lucy.obj 0,.15,1 .04,.2,0 .2)" --edges
+  done
+  finish lucy.png \( lucy-whole.png lucy-60000-whole.png lucy-20000-whole.png +append \) \
+    \( lucy-bust.png lucy-60000-bust.png lucy-20000-bust.png +append \) -append "${gray[@]}"
+}
+
+vessel_at_three_levels() {
+  to_obj "$1" vessel.obj
+  local faces
+  for faces in 3000 12932 40000; do
+    "$program" "$1" "vessel-$faces.obj" --faces $faces --sigma .05 --quiet
+  done
+  for mesh in vessel vessel-3000 vessel-12932 vessel-40000; do
+    render $mesh.obj $mesh.png 700,1400 "$(camera vessel.obj 0,0,1 0,0,0 .95)" --edges
+    render $mesh.obj $mesh-detail.png 700,700 "$(camera vessel.obj 0,0,1 0,-.1,0 .25)" --edges
+  done
+  finish vessel.png \( vessel.png vessel-3000.png vessel-12932.png vessel-40000.png +append \) \
+    \( vessel-detail.png vessel-3000-detail.png vessel-12932-detail.png vessel-40000-detail.png +append \) -append "${gray[@]}"
+}
+
+sigma_from_zero_to_large() {
+  local sigma parts=()
+  for sigma in 0 .05 .15 .5; do
+    "$program" "$knot" knot.obj --faces 3000 --sigma $sigma --quiet --no-distance
+    render knot.obj "knot-$sigma.png" 960,960 "$(camera knot.obj 0,0,1 0,0,0 .8)" --edges
+    parts+=("knot-$sigma.png")
+  done
+  finish sigma.png "${parts[@]}" +append "${gray[@]}"
+}
+
+patches_of_the_function() {
+  local k parts=()
+  for k in 40 400 default; do
+    # 25 points a patch, as the default is
+    "$draw" patches "$bunny" patches.ply "${k/default/$(($(wc -l < before.obj) / 75))}"
+    render patches.ply "patches-$k.png" 1200,1100 "$(camera before.obj 0,0,1 0,0,0 .74)" "${with_colors[@]}"
+    parts+=("patches-$k.png")
+  done
+  finish patches.png "${parts[@]}" +append -gamma 1.7 -modulate 100,170 -colors 128
+}
+
+curvature_directions() {
+  "$program" "$knot" knot.obj --faces 1500 --sigma .3 --quiet --no-distance
+  "$draw" directions "$knot" knot.obj directions.ply
+  render directions.ply directions.png 1400,1200 "$(camera knot.obj 0,0,1 0,0,0 .75)" "${with_colors[@]}" --edges
+  render directions.ply directions-detail.png 1400,1200 "$(camera knot.obj 0,0,1 .2,.16,0 .3)" "${with_colors[@]}" --edges
+  finish directions.png directions.png directions-detail.png +append -gamma 1.7 -modulate 100,140 -colors 64
+}
+
+report_page() {
+  cp "$bunny" bunny00.off # the page names it
+  "$program" bunny00.off bunny.obj --faces 12000 --sigma .03 --quiet --report report.html
+  chromium --headless --no-sandbox --hide-scrollbars --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader \
+    --virtual-time-budget=20000 --window-size=1200,2600 --screenshot=report.png "file://$PWD/report.html" > chromium.log 2>&1
+  convert report.png -bordercolor white -trim -border 20 +repage -strip -colors 128 "$picture_dir/report.png"
+  echo "$picture_dir/report.png"
 }
 
 install_packages
-install_missing f3d xvfb xauth imagemagick
+install_missing f3d xvfb xauth imagemagick chromium
 unpack_cgal_data "$build_dir"
 cmake -Wno-dev -S . -B "$build_dir" -DCMAKE_BUILD_TYPE=Release -DCGAL_AHR_NATIVE=ON -DBUILD_TESTING=OFF
-cmake --build "$build_dir" --target hde_remesh -j "${JOBS:-2}"
-program=$(find "$build_dir" -name hde_remesh -type f -perm -u+x)
+cmake --build "$build_dir" --target hde_remesh draw_function -j "${JOBS:-2}"
+program=$(realpath "$(find "$build_dir" -name hde_remesh -type f -perm -u+x)")
+draw=$(realpath "$(find "$build_dir" -name draw_function -type f -perm -u+x)")
+data=$(realpath "$(cgal_data_dir "$build_dir")/meshes")
+bunny=$data/bunny00.off
+knot=$data/knot1.off
+mkdir -p "$picture_dir"
 
 work_dir=$(mktemp -d)
 trap 'rm -r "$work_dir"' EXIT
-bunny=$(cgal_data_dir "$build_dir")/meshes/bunny00.off
-to_obj "$bunny" > "$work_dir/before.obj"
-"$program" "$bunny" "$work_dir/after.obj" --faces 12000 --sigma .03
-
-for mesh in before after; do
-  render "$work_dir/$mesh.obj" "$work_dir/$mesh-whole.png" 1400,1200 0,-0.01,3.1 0,-0.01,0 21
-  render "$work_dir/$mesh.obj" "$work_dir/$mesh-ears.png" 1400,1000 2.2,2.2,1.2 -0.06,0.36,0 8
-done
-mkdir -p "$picture_dir"
-convert \( "$work_dir/before-whole.png" "$work_dir/after-whole.png" +append \) \
-  \( "$work_dir/before-ears.png" "$work_dir/after-ears.png" +append \) \
-  -append +repage -background white -alpha remove -resize 50% -colorspace Gray -colors 32 -strip "$picture_dir/before_after.png"
-echo "The picture: $picture_dir/before_after.png"
+cd "$work_dir"
+bunny_before_and_after
+sigma_from_zero_to_large
+patches_of_the_function
+curvature_directions
+report_page
+if ((${#meshes[@]} > 0)); then
+  lucy_at_two_levels "${meshes[0]}"
+  vessel_at_three_levels "${meshes[1]}"
+fi

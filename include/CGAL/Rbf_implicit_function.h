@@ -232,6 +232,15 @@ public:
     return Anisotropic_hde_remeshing::internal::principal_curvatures<Geom_traits>(evaluate<2>(p), m_normalization.scale);
   }
 
+  /// the number of the patch in whose cell `p` lies, below `Rbf_diagnostics::number_of_patches`: there this patch counts by itself,
+  /// or, near the planes between cells, is blended with its neighbours
+  std::size_t patch(const Point_3& p) const
+  {
+    const Eigen::Vector3d point = Anisotropic_hde_remeshing::internal::to_vector(p);
+    check_finite(point);
+    return m_interpolant->tree().leaf_at(m_normalization(point));
+  }
+
   /// a sphere that contains the zero set near the points
   Sphere_3 bounding_sphere() const
   {
@@ -260,14 +269,19 @@ private:
   template <int order>
   Jet<order> evaluate_far(const Eigen::Vector3d& point, const Eigen::Vector3d& normalized) const
   {
-    if (!point.allFinite())
-      throw std::invalid_argument("the implicit function is asked for a point whose coordinates are not finite");
+    check_finite(point);
     const double largest = (std::numeric_limits<double>::max)() / 2;
     const Eigen::Vector3d way = normalized.cwiseMin(largest).cwiseMax(-largest);
     const double length = way.stableNorm();
     Jet<order> result = m_interpolant->template evaluate<order>(reach / length * way);
     result.value += std::copysign(length - reach, result.value);
     return result;
+  }
+
+  static void check_finite(const Eigen::Vector3d& point)
+  {
+    if (!point.allFinite())
+      throw std::invalid_argument("the implicit function is asked for a point whose coordinates are not finite");
   }
 
   static Vector_3 to_vector_3(const Eigen::Vector3d& v) { return Vector_3(FT(v[0]), FT(v[1]), FT(v[2])); }

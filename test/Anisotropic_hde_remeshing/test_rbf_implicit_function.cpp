@@ -20,6 +20,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -541,6 +542,28 @@ void test_copies()
     CHECK(values_of(copy, points) == expected);
 }
 
+// The cells of the patches are convex, none is empty, and they hold about as many points each.
+void test_patches()
+{
+  const Mesh mesh = ellipsoid(4);
+  const Function f(mesh, CGAL::parameters::number_of_patches(60));
+  const std::size_t n = f.diagnostics().number_of_patches;
+  std::vector<std::vector<Point_3>> points(n);
+  for (const Mesh::Vertex_index v : mesh.vertices())
+  {
+    const std::size_t patch = f.patch(mesh.point(v));
+    CHECK(patch < n);
+    points[patch].push_back(mesh.point(v));
+  }
+  for (std::size_t k = 0; k < n; ++k)
+  {
+    CHECK(2 * points[k].size() * n > mesh.number_of_vertices() && points[k].size() * n < 2 * mesh.number_of_vertices());
+    for (const Point_3& p : points[k])
+      CHECK(f.patch(CGAL::midpoint(p, points[k].front())) == k);
+  }
+  CHECK_THROWS(f.patch(Point_3(0, std::numeric_limits<double>::quiet_NaN(), 0)), std::invalid_argument);
+}
+
 // Far from the surface the function is the signed distance to the facets.
 void test_far()
 {
@@ -612,5 +635,6 @@ int main()
   test_sign();
   test_far();
   test_copies();
+  test_patches();
   return check_summary();
 }

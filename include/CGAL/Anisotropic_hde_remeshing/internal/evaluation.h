@@ -41,7 +41,7 @@ Value_and_gradient value_and_gradient_of(const Function& function, const Vector&
 {
   const typename Function::Point_3 point(p.x(), p.y(), p.z());
   const auto convert = [](const auto& value, const auto& g) {
-    return Value_and_gradient{to_double(value), Vector(to_double(g.x()), to_double(g.y()), to_double(g.z()))};
+    return Value_and_gradient{{to_double(value)}, Vector(to_double(g.x()), to_double(g.y()), to_double(g.z()))};
   };
   if constexpr (Has_joint_evaluation<Function>::value)
   {

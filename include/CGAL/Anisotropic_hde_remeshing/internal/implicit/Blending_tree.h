@@ -137,6 +137,15 @@ public:
     return leaf_jet(m_nodes[node_index].left);
   }
 
+  // the number of the leaf in whose cell `p` lies
+  std::size_t leaf_at(const Vector& p) const
+  {
+    std::size_t node_index = 0;
+    while (!m_nodes[node_index].is_leaf)
+      node_index = m_nodes[node_index].left + (m_nodes[node_index].distance(p) > 0 ? 1 : 0);
+    return m_nodes[node_index].left;
+  }
+
   // calls visit(number) for the leaves that count at `p`
   template <typename Visitor>
   void visit_leaves(const Vector& p, const Visitor& visit, std::size_t node_index = 0) const

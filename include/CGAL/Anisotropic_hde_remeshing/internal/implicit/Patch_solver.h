@@ -141,7 +141,7 @@ private:
       if (centres.cols() >= least_sparse_size && density_of_interpolation_matrix(centres, function) < largest_density)
       {
         const auto matrix = sparse_interpolation_matrix(centres, function, smoothing);
-        const Interpolation_coefficients solution = Sparse_interpolation_system(matrix, polynomials).solve(data);
+        Interpolation_coefficients solution = Sparse_interpolation_system(matrix, polynomials).solve(data);
         if (solution.solver != Solver::FAILED || centres.cols() > largest_dense_size)
           return solution;
       }

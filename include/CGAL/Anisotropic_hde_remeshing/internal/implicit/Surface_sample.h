@@ -93,7 +93,7 @@ Vector to_vector(const Point_or_vector& p)
 template <typename Point_or_vector>
 Vector finite_vector(const Point_or_vector& p, const char* what, const std::size_t index)
 {
-  const Vector result = to_vector(p);
+  Vector result = to_vector(p);
   // far below the largest double, so that no square of a difference overflows
   if (!(result.array().abs() < 1e150).all())
   {

@@ -90,7 +90,8 @@ public:
 
   Working_mesh() { find_properties(); }
   Working_mesh(const Working_mesh&) = delete;
-  Working_mesh& operator=(Working_mesh&& other)
+  // not noexcept: looking the properties up allocates
+  Working_mesh& operator=(Working_mesh&& other) // NOLINT(performance-noexcept-move-constructor)
   {
     Graph::operator=(std::move(other));
     find_properties();

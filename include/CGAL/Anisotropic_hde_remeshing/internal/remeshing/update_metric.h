@@ -87,7 +87,7 @@ private:
   Eigen::Matrix2d metric_of_curvature(const Vertex_index v) const
   {
     const Eigen::Matrix2d shape_operator = shape_operator_at(v, m_mesh);
-    const Eigen::Matrix2d metric = m_metric.of_shape_operator(shape_operator);
+    Eigen::Matrix2d metric = m_metric.of_shape_operator(shape_operator);
     if (!(m_length > 0))
       return metric;
     // along t the normal turns by |S t|

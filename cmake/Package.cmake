@@ -1,0 +1,41 @@
+# Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+#
+# This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Author(s)     : The Anisotropic_hde_remeshing developers
+
+# Two Debian packages, of the headers and of the program: cmake --build BUILD_DIR --target package. To be included after all
+# that is installed.
+
+set(package_info "${PROJECT_SOURCE_DIR}/package_info/Anisotropic_hde_remeshing")
+file(STRINGS "${package_info}/description.txt" CPACK_PACKAGE_DESCRIPTION_SUMMARY LIMIT_COUNT 1)
+file(READ "${package_info}/long_description.txt" CPACK_PACKAGE_DESCRIPTION)
+file(STRINGS "${package_info}/maintainer" CPACK_PACKAGE_CONTACT LIMIT_COUNT 1)
+set(CPACK_PACKAGE_VENDOR "${CPACK_PACKAGE_CONTACT}")
+set(CPACK_RESOURCE_FILE_LICENSE "${PROJECT_SOURCE_DIR}/LICENSE")
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_COMPONENTS_ALL headers)
+
+set(CPACK_COMPONENT_HEADERS_DESCRIPTION "The headers, and what find_package() of CMake reads.")
+set(CPACK_DEBIAN_HEADERS_PACKAGE_NAME libcgal-anisotropic-hde-remeshing-dev)
+set(CPACK_DEBIAN_HEADERS_PACKAGE_ARCHITECTURE all)
+set(CPACK_DEBIAN_HEADERS_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_HEADERS_PACKAGE_DEPENDS "libcgal-dev (>= 5.5), libeigen3-dev")
+set(CPACK_DEBIAN_HEADERS_PACKAGE_RECOMMENDS libtbb-dev)
+
+if(TARGET hde_remesh)
+  list(APPEND CPACK_COMPONENTS_ALL program)
+  set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "The program hde_remesh.")
+  set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME hde-remesh)
+  set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION graphics)
+  set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
+endif()
+
+include(CPack)
