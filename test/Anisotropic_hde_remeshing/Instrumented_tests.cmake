@@ -7,8 +7,9 @@
 # Author(s)     : The Anisotropic_hde_remeshing developers
 
 # Tests under tools that find what checks do not, a ctest label each: `address` (AddressSanitizer and UBSan), `thread`
-# (ThreadSanitizer), `fuzz` (libFuzzer, with both of the first) and `memcheck` (valgrind). They take minutes to compile.
-# The fuzzers run some thousand inputs, the same each time, or CGAL_AHR_FUZZING_SECONDS on other ones each time.
+# (ThreadSanitizer), `fuzz` (libFuzzer, with both of the first), `memcheck` (valgrind), and `elsewhere` (another compiler and another
+# CGAL). They take minutes to compile. The fuzzers run some thousand inputs, the same each time, or CGAL_AHR_FUZZING_SECONDS on other
+# ones each time.
 
 set(CGAL_AHR_FUZZING_SECONDS 0 CACHE STRING "how long each fuzzer runs, in seconds; 0: on the same inputs each time")
 
@@ -44,6 +45,14 @@ if(CGAL_AHR_VALGRIND)
     COMMAND "${CGAL_AHR_VALGRIND}" --quiet --leak-check=full --show-leak-kinds=definite
       --errors-for-leak-kinds=definite --error-exitcode=1 $<TARGET_FILE:test_simultaneous_moves>)
   set_tests_properties(memcheck_test_simultaneous_moves PROPERTIES LABELS memcheck TIMEOUT 300)
+endif()
+
+# another compiler, a later standard, another version of CGAL, no TBB: the headers, an example and the types of meshes, `elsewhere`.
+# scripts/build_elsewhere.sh builds all in all combinations.
+if(UNIX)
+  add_test(NAME elsewhere COMMAND "${PROJECT_SOURCE_DIR}/scripts/build_elsewhere.sh" clang++,20,forky,OFF)
+  set_tests_properties(elsewhere PROPERTIES LABELS elsewhere TIMEOUT 1800 SKIP_RETURN_CODE 77 ENVIRONMENT
+    "BUILD_DIR=${CMAKE_CURRENT_BINARY_DIR}/elsewhere;TARGETS=public_headers remesh_example test_remeshing_types;TESTS=test_remeshing_types")
 endif()
 
 # libFuzzer is Clang's, whichever compiler builds the rest. Without TBB: one thread is enough.

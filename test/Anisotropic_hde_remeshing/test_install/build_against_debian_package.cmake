@@ -38,8 +38,9 @@ endfunction()
 
 file(REMOVE_RECURSE "${WORK_DIR}")
 file(MAKE_DIRECTORY "${WORK_DIR}")
+# CPack builds all targets first where the generator is that of Makefiles; the headers need none
 run("${CPACK}" --config "${PACKAGE_BINARY_DIR}/CPackConfig.cmake" -G DEB -C "${CONFIGURATION}" -B "${WORK_DIR}"
-  -D CPACK_COMPONENTS_ALL=headers)
+  -D CPACK_COMPONENTS_ALL=headers -D CPACK_CMAKE_GENERATOR=Ninja)
 file(GLOB package "${WORK_DIR}/libcgal-anisotropic-hde-remeshing-dev_*_all.deb")
 if(NOT package)
   message(FATAL_ERROR "CPack made no package of that name in ${WORK_DIR}")
