@@ -23,7 +23,9 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_COMPONENTS_ALL headers)
 
-set(CPACK_COMPONENT_HEADERS_DESCRIPTION "The headers, and what find_package() of CMake reads.")
+# a package's description is that of its component
+set(CPACK_COMPONENT_HEADERS_DESCRIPTION
+  "${CPACK_PACKAGE_DESCRIPTION}\nThis package holds the headers, and what find_package() of CMake reads.")
 set(CPACK_DEBIAN_HEADERS_PACKAGE_NAME libcgal-anisotropic-hde-remeshing-dev)
 set(CPACK_DEBIAN_HEADERS_PACKAGE_ARCHITECTURE all)
 set(CPACK_DEBIAN_HEADERS_PACKAGE_SECTION libdevel)
@@ -32,10 +34,17 @@ set(CPACK_DEBIAN_HEADERS_PACKAGE_RECOMMENDS libtbb-dev)
 
 if(TARGET hde_remesh)
   list(APPEND CPACK_COMPONENTS_ALL program)
-  set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "The program hde_remesh.")
+  set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "${CPACK_PACKAGE_DESCRIPTION}\nThis package holds the program hde_remesh.")
   set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME hde-remesh)
   set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION graphics)
   set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 endif()
+
+configure_file("${CMAKE_CURRENT_LIST_DIR}/copyright.in" copyright @ONLY)
+foreach(component IN LISTS CPACK_COMPONENTS_ALL)
+  string(TOUPPER "${component}" name)
+  install(FILES "${PROJECT_BINARY_DIR}/copyright" DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/${CPACK_DEBIAN_${name}_PACKAGE_NAME}"
+    COMPONENT "${component}" EXCLUDE_FROM_ALL)
+endforeach()
 
 include(CPack)

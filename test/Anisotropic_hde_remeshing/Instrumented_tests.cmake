@@ -47,12 +47,12 @@ if(CGAL_AHR_VALGRIND)
   set_tests_properties(memcheck_test_simultaneous_moves PROPERTIES LABELS memcheck TIMEOUT 300)
 endif()
 
-# another compiler, a later standard, another version of CGAL, no TBB: the headers, an example and the types of meshes, `elsewhere`.
+# another compiler, a later standard, another version of CGAL, no TBB: the headers and an example, `elsewhere`.
 # scripts/build_elsewhere.sh builds all in all combinations.
 if(UNIX)
   add_test(NAME elsewhere COMMAND "${PROJECT_SOURCE_DIR}/scripts/build_elsewhere.sh" clang++,20,forky,OFF)
   set_tests_properties(elsewhere PROPERTIES LABELS elsewhere TIMEOUT 1800 SKIP_RETURN_CODE 77 ENVIRONMENT
-    "BUILD_DIR=${CMAKE_CURRENT_BINARY_DIR}/elsewhere;TARGETS=public_headers remesh_example test_remeshing_types;TESTS=test_remeshing_types")
+    "BUILD_DIR=${CMAKE_CURRENT_BINARY_DIR}/elsewhere;TARGETS=public_headers polyhedron_example;TESTS=example_polyhedron")
 endif()
 
 # libFuzzer is Clang's, whichever compiler builds the rest. Without TBB: one thread is enough.
