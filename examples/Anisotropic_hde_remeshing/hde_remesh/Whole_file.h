@@ -79,7 +79,7 @@ private:
     Temporary_name& temporary = temporary_name();
     if (name.size() >= sizeof(temporary.name))
       fail(std::strerror(ENAMETOOLONG));
-    std::strcpy(temporary.name, name.c_str());
+    temporary.name[name.copy(temporary.name, name.size())] = 0;
     const int descriptor = mkstemp(temporary.name);
     if (descriptor < 0)
       fail(std::strerror(errno));

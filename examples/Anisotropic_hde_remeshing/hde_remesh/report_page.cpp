@@ -61,6 +61,7 @@ std::vector<std::size_t> counts(const Values& values, const Axis& axis)
     if (!std::isnan(value))
       histogram(value);
   std::vector<std::size_t> result;
+  result.reserve(number_of_bins);
   for (int i = 0; i < int(number_of_bins); ++i)
     result.push_back(histogram.at(i));
   result.front() += histogram.at(-1);
@@ -132,6 +133,7 @@ std::vector<float> to_floats(const Values& values, const std::vector<std::size_t
 {
   const double largest = double((std::numeric_limits<float>::max)());
   std::vector<float> result;
+  result.reserve(places.size());
   for (const std::size_t i : places)
     result.push_back(float((std::min)(values[i], largest)));
   return result;

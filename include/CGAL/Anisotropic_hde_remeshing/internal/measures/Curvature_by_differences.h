@@ -46,7 +46,7 @@ struct Curvature_by_differences
     if (!shape_operator.allFinite())
       return;
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(0.5 * (shape_operator + shape_operator.transpose()));
-    const Eigen::Vector2d curvatures = solver.eigenvalues();
+    const Eigen::Vector2d& curvatures = solver.eigenvalues();
     const int k = std::abs(curvatures[0]) <= std::abs(curvatures[1]) ? 0 : 1;
     flatter = curvatures[k];
     steeper = curvatures[1 - k];
