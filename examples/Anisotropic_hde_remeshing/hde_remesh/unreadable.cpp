@@ -144,7 +144,7 @@ std::string problem_of_numbers(const std::string& text, const Format format)
     return problem_of_binary_stl(text);
   if (format == Format::PLY)
   {
-    const std::string problem = problem_of_ply_header(text);
+    std::string problem = problem_of_ply_header(text);
     if (!problem.empty())
       return problem;
   }

@@ -18,6 +18,7 @@
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
@@ -203,7 +204,7 @@ private:
   {
     bool is_split = false;
     Node node;
-    Cell sides[2];
+    std::array<Cell, 2> sides;
   };
 
   // takes the points of a cell that it splits

@@ -254,10 +254,10 @@ private:
       return constant_beyond_gradient<order>(distance.with_interpolated_normals());
     const Vector& p = distance.point();
     double squared_distance;
-    const Jet<order> near = patch.interpolant.template evaluate<order>(p, squared_distance);
+    Jet<order> near = patch.interpolant.template evaluate<order>(p, squared_distance);
     if (squared_distance <= patch.begin_of_far * patch.begin_of_far)
       return near;
-    const Jet<order> far = constant_beyond_gradient<order>(distance.distance());
+    Jet<order> far = constant_beyond_gradient<order>(distance.distance());
     // the smooth distance is two thirds of the true one at least
     if (squared_distance >= 2.25 * patch.end_of_far * patch.end_of_far)
       return far;

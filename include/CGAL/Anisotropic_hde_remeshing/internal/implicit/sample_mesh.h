@@ -38,7 +38,7 @@ template <typename TriangleMesh, typename PointOf>
 void normal_and_spacing(const typename boost::graph_traits<TriangleMesh>::vertex_descriptor v, const TriangleMesh& tmesh,
                         const PointOf& point_of, Vector& normal, double& spacing)
 {
-  const Vector p = point_of(v);
+  const Vector& p = point_of(v); // where it is a temporary, it lives on
   normal.setZero();
   spacing = 0;
   std::size_t degree = 0;
