@@ -542,12 +542,15 @@ void test_copies()
     CHECK(values_of(copy, points) == expected);
 }
 
-// The cells of the patches are convex, none is empty, and they hold about as many points each.
+// The cells of the patches are convex, none is empty, and none holds many more points than its share: a cell whose overlap
+// makes it too large is divided further, hence there may be more patches than asked, and smaller ones.
 void test_patches()
 {
   const Mesh mesh = ellipsoid(4);
-  const Function f(mesh, CGAL::parameters::number_of_patches(60));
+  const std::size_t asked = 60;
+  const Function f(mesh, CGAL::parameters::number_of_patches(asked));
   const std::size_t n = f.diagnostics().number_of_patches;
+  CHECK(n >= asked && n < 2 * asked);
   std::vector<std::vector<Point_3>> points(n);
   for (const Mesh::Vertex_index v : mesh.vertices())
   {
@@ -557,7 +560,9 @@ void test_patches()
   }
   for (std::size_t k = 0; k < n; ++k)
   {
-    CHECK(2 * points[k].size() * n > mesh.number_of_vertices() && points[k].size() * n < 2 * mesh.number_of_vertices());
+    CHECK(!points[k].empty() && 4 * points[k].size() * asked < 5 * mesh.number_of_vertices());
+    if (points[k].empty())
+      continue;
     for (const Point_3& p : points[k])
       CHECK(f.patch(CGAL::midpoint(p, points[k].front())) == k);
   }
