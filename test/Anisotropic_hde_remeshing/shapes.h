@@ -15,6 +15,7 @@
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -304,6 +305,89 @@ inline Mesh hills(const std::size_t n)
     }
   return to_mesh(soup);
 }
+
+// a closed cylinder of radius 1 about the axis of z, from z = -1 to 1, with a sharp circle at either end: `rows` rows of squares
+// around, vertices exactly on the circles, caps of rings about their centres; 2 * segments * (rows + 2 * rings - 1) faces
+inline Mesh capped_cylinder(const unsigned int segments, const unsigned int rows)
+{
+  const std::size_t n = segments, rings = (std::max)(std::size_t(1), std::size_t(std::lround(n / (2 * pi))));
+  Soup soup;
+  const auto add_circle = [&](const double radius, const double z)
+  {
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      const double u = 2 * pi * double(i) / double(n);
+      soup.points.emplace_back(radius * std::cos(u), radius * std::sin(u), z);
+    }
+  };
+  // from the centre below over the side to the centre above
+  soup.points.emplace_back(0, 0, -1);
+  for (std::size_t k = 1; k < rings; ++k)
+    add_circle(double(k) / double(rings), -1);
+  for (std::size_t j = 0; j <= rows; ++j)
+    add_circle(1, j == rows ? 1 : 2 * double(j) / double(rows) - 1);
+  for (std::size_t k = rings - 1; k > 0; --k)
+    add_circle(double(k) / double(rings), 1);
+  soup.points.emplace_back(0, 0, 1);
+  const std::size_t circles = (soup.points.size() - 2) / n, top = soup.points.size() - 1;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const std::size_t next = (i + 1) % n;
+    soup.triangles.push_back({0, 1 + next, 1 + i});
+    for (std::size_t j = 0; j + 1 < circles; ++j)
+    {
+      const std::size_t a = 1 + j * n + i, b = 1 + j * n + next, c = b + n, d = a + n;
+      soup.triangles.push_back({a, b, c});
+      soup.triangles.push_back({a, c, d});
+    }
+    soup.triangles.push_back({top, top - n + i, top - n + next});
+  }
+  return to_mesh(soup);
+}
+
+// the union of unit cubes, each given by its least corner, with n x n squares on every side of a cube that is on the surface
+inline Mesh union_of_cubes(const std::vector<std::array<int, 3>>& cubes, const unsigned int n)
+{
+  const int m = int(n);
+  Soup soup;
+  std::map<std::array<int, 3>, std::size_t> indices;
+  const auto index = [&](const std::array<int, 3>& p)
+  {
+    const auto inserted = indices.emplace(p, soup.points.size());
+    if (inserted.second)
+      soup.points.emplace_back(double(p[0]) / m, double(p[1]) / m, double(p[2]) / m);
+    return inserted.first->second;
+  };
+  for (const std::array<int, 3>& cube : cubes)
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      for (const int side : {0, 1})
+      {
+        std::array<int, 3> neighbor = cube;
+        neighbor[axis] += 2 * side - 1;
+        if (std::find(cubes.begin(), cubes.end(), neighbor) != cubes.end())
+          continue;
+        const std::size_t u = (axis + (side == 1 ? 1 : 2)) % 3, v = (axis + (side == 1 ? 2 : 1)) % 3; // (u, v, outward)
+        for (int i = 0; i < m; ++i)
+          for (int j = 0; j < m; ++j)
+          {
+            std::array<int, 3> a{m * cube[0], m * cube[1], m * cube[2]};
+            a[axis] += m * side;
+            a[u] += i;
+            a[v] += j;
+            std::array<int, 3> b = a, c = a, d = a;
+            ++b[u], ++c[u], ++c[v], ++d[v];
+            soup.triangles.push_back({index(a), index(b), index(c)});
+            soup.triangles.push_back({index(a), index(c), index(d)});
+          }
+      }
+  return to_mesh(soup);
+}
+
+// [0,1]^3, 12 * n^2 faces
+inline Mesh cube(const unsigned int n) { return union_of_cubes({{{0, 0, 0}}}, n); }
+
+// [0,2]^2 x [0,1] without [1,2]^2: eight sides, of which two are not convex; 28 * n^2 faces
+inline Mesh l_block(const unsigned int n) { return union_of_cubes({{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}}, n); }
 
 // --- Little helpers ---
 
