@@ -45,6 +45,7 @@ CGAL_add_named_parameter(fit_to_surface_t, fit_to_surface, fit_to_surface)
 CGAL_add_named_parameter(approximation_error_t, approximation_error, approximation_error)
 CGAL_add_named_parameter(relative_approximation_error_t, relative_approximation_error, relative_approximation_error)
 CGAL_add_named_parameter(vertex_location_map_t, vertex_location_map, vertex_location_map)
+CGAL_add_named_parameter(sharp_angle_t, sharp_angle, sharp_angle)
 
 // List of named parameters used by the class 'Rbf_implicit_function'
 CGAL_add_named_parameter(radial_function_t, radial_function, radial_function)
