@@ -15,10 +15,10 @@
 #include <CGAL/Anisotropic_hde_remeshing/Rbf_diagnostics.h>
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_visitor.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/Interruption.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/check_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Facet_distance.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Patchwise_interpolant.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Point_distance.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/interpolation_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/sample_mesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/sample_points.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/named_parameters.h>
@@ -177,7 +177,8 @@ public:
   {
     Real_timer timer;
     timer.start();
-    Anisotropic_hde_remeshing::internal::Interpolation_parameters parameters = interpolation_parameters(np);
+    Anisotropic_hde_remeshing::internal::Interpolation_parameters parameters =
+        Anisotropic_hde_remeshing::internal::interpolation_parameters(np);
     auto visitor = parameters::choose_parameter(parameters::get_parameter(np, internal_np::visitor),
                                                 Anisotropic_hde_remeshing::Remeshing_visitor());
     Interruption interruption([&visitor] { return visitor.go_further(); });
@@ -285,31 +286,6 @@ private:
   }
 
   static Vector_3 to_vector_3(const Eigen::Vector3d& v) { return Vector_3(FT(v[0]), FT(v[1]), FT(v[2])); }
-
-  template <typename NamedParameters>
-  static Anisotropic_hde_remeshing::internal::Interpolation_parameters interpolation_parameters(const NamedParameters& np)
-  {
-    using namespace Anisotropic_hde_remeshing::internal;
-    using parameters::get_parameter;
-    using parameters::is_default_parameter;
-    Interpolation_parameters result;
-    if constexpr (!is_default_parameter<NamedParameters, internal_np::number_of_patches_t>::value)
-      result.number_of_patches = checked_count("number_of_patches", get_parameter(np, internal_np::number_of_patches));
-    if constexpr (!is_default_parameter<NamedParameters, internal_np::patch_overlap_t>::value)
-      result.patch_overlap =
-          checked_not_negative("patch_overlap", CGAL::to_double(get_parameter(np, internal_np::patch_overlap)));
-    if constexpr (!is_default_parameter<NamedParameters, internal_np::offset_distance_t>::value)
-      result.absolute_offset =
-          checked_positive("offset_distance", CGAL::to_double(get_parameter(np, internal_np::offset_distance)));
-    if constexpr (!is_default_parameter<NamedParameters, internal_np::relative_offset_distance_t>::value)
-      result.relative_offset = checked_positive("relative_offset_distance",
-                                                CGAL::to_double(get_parameter(np, internal_np::relative_offset_distance)));
-    if constexpr (!is_default_parameter<NamedParameters, internal_np::two_sided_offsets_t>::value)
-      result.offsets_on_both_sides = get_parameter(np, internal_np::two_sided_offsets);
-    if constexpr (!is_default_parameter<NamedParameters, internal_np::smoothing_t>::value)
-      result.smoothing = checked_not_negative("smoothing", CGAL::to_double(get_parameter(np, internal_np::smoothing)));
-    return result;
-  }
 
   template <typename TriangleMesh, typename NamedParameters>
   static Surface_sample sample_input(const TriangleMesh& tmesh, const NamedParameters& np, Interruption& interruption,

@@ -38,6 +38,7 @@ packages store it by value: copying should be cheap, for example by sharing cons
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Rbf_implicit_function}
+\cgalHasModels{CGAL::Piecewise_rbf_implicit_function::Piece}
 \cgalHasModelsEnd
 
 \sa `CGAL::anisotropic_hde_remeshing()`

@@ -145,7 +145,7 @@ than 3 millionths of the size of the surface, is taken for a part of its neighbo
 <b>Noise</b> has sharp angles, too. From the edges that are creases by their angle only, two kinds are dropped, where the size of
 the surface is the diagonal of the box about its connected component. A speck, a region of at most 8 faces which is smaller than
 3% of the surface, is joined to the neighbour behind its weakest edge. A dart, connected creases with the same region on both
-sides, is dropped if it is shorter than 10% of the surface.
+sides, is dropped if it is shorter than 8% of the surface.
 
 The time is linear in the size of the mesh but for the sorting of the creases by their angle. The result does not depend on the
 position, the orientation or the unit of the mesh but for rounding.

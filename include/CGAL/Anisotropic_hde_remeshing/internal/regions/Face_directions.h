@@ -12,6 +12,7 @@
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Surface_sample.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/regions/diagonal_of.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
@@ -25,6 +26,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <queue>
 #include <tuple>
 #include <vector>
@@ -32,11 +34,6 @@
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
-
-inline double diagonal_of(const Bbox_3& box)
-{
-  return Vector(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()).stableNorm();
-}
 
 // The normals of the faces and the angles at the edges. A face so thin that the rounding of its points turns it has the normal
 // of its neighbour across the longest edge: it is taken for a part of it.

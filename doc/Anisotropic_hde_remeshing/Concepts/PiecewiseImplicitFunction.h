@@ -1,0 +1,54 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+/*!
+\ingroup PkgAnisotropicHdeRemeshingConcepts
+\cgalConcept
+
+The concept `PiecewiseImplicitFunction` describes a surface with sharp edges by several smooth functions, its pieces. Each face of
+the mesh belongs to one of them, whose number the `face_patch_map` of the mesh tells; the part of the surface about the face is
+the zero set of this piece. The sharp edges are where the zero sets of neighbouring pieces meet, the corners where three or more
+do.
+
+<b>Beyond the faces.</b> A piece is smooth not only at its own faces but also some lengths of their edges beyond, as an edge of the
+mesh is but near to the curve in which two pieces meet, and this is sought from there.
+
+<b>Orientation.</b> All pieces are negative inside, so that the gradient of each points to where its faces look.
+
+<b>Thread safety.</b> All members, and those of the pieces, may be called from several threads at once on one object, unless the
+algorithm runs with `CGAL::Sequential_tag`. They return the same result for the same argument at every call.
+
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::Piecewise_rbf_implicit_function}
+\cgalHasModelsEnd
+
+\sa `CGAL::Anisotropic_hde_remeshing::detect_surface_regions()`
+*/
+class PiecewiseImplicitFunction
+{
+public:
+  /// \name Types
+  /// @{
+
+  /// the function of a piece, a model of `ImplicitFunctionWithGradient`. All pieces have this one type: different ones are
+  /// told apart within.
+  typedef unspecified_type Piece;
+
+  /// @}
+
+  /// \name Operations
+  /// @{
+
+  /// the number of pieces; the values of the `face_patch_map` are less
+  std::size_t number_of_pieces() const;
+
+  /// piece `i`, where `i` is less than `number_of_pieces()`. The reference is valid as long as the object.
+  const Piece& piece(std::size_t i) const;
+
+  /// @}
+};

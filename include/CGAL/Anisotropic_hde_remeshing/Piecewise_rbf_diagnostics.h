@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+#ifndef CGAL_ANISOTROPIC_HDE_REMESHING_PIECEWISE_RBF_DIAGNOSTICS_H
+#define CGAL_ANISOTROPIC_HDE_REMESHING_PIECEWISE_RBF_DIAGNOSTICS_H
+
+#include <CGAL/license/Anisotropic_hde_remeshing.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Anisotropic_hde_remeshing {
+
+/// \ingroup PkgAnisotropicHdeRemeshingRef
+///
+/// what a piece of `CGAL::Piecewise_rbf_implicit_function` is
+enum class Piece_kind
+{
+  FIELD,         ///< an interpolant by radial basis functions
+  PLANE,         ///< the signed distance to a plane
+  CLOSEST_POINT, ///< the signed distance to the facets of the region, continued along their tangent planes
+  NONE           ///< nothing, as the region has no face that is not degenerate: the value 1 with the gradient 0 everywhere
+};
+
+/// \ingroup PkgAnisotropicHdeRemeshingRef
+///
+/// what `CGAL::Piecewise_rbf_implicit_function` tells of its construction. Numbers of patches and points are sums over the pieces
+/// of the kind `Piece_kind::FIELD`, and what is worst is the worst of them; see `Rbf_diagnostics`.
+struct Piecewise_rbf_diagnostics
+{
+  /// \name Pieces
+  /// @{
+  std::size_t number_of_regions = 0; ///< the sum of the four below
+  std::size_t number_of_fields = 0;
+  std::size_t number_of_planes = 0;
+  std::size_t number_of_closest_point_regions = 0;
+  std::size_t number_of_regions_without_area = 0;
+  /// @}
+
+  /// \name Fields
+  /// @{
+  std::size_t number_of_points = 0;        ///< one for each region at a crease
+  std::size_t number_of_patches = 0;       ///< of the interpolants
+  std::size_t patches_repaired = 0;        ///< that failed a check and were solved once more
+  std::size_t patches_on_fallback = 0;     ///< not solved or not repaired: answered by the input itself
+  std::size_t number_of_failed_checks = 0; ///< signs and gradients of patches not on fallback that are wrong after all
+  double worst_residual = 0;               ///< of the systems' solutions, relative to the largest datum
+  double worst_value_residual = 0;         ///< largest difference to a datum, in the unit of the coordinates
+  double worst_condition = 1;              ///< of the systems, estimated from below by the pivots
+  /// @}
+
+  /// \name Cost
+  /// @{
+  std::size_t memory_bytes = 0; ///< of the function
+  double seconds = 0;           ///< wall time of the construction
+  /// @}
+};
+
+} // namespace Anisotropic_hde_remeshing
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_HDE_REMESHING_PIECEWISE_RBF_DIAGNOSTICS_H

@@ -1,0 +1,102 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+#ifndef CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REGIONS_REGION_PLANE_H
+#define CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REGIONS_REGION_PLANE_H
+
+#include <CGAL/license/Anisotropic_hde_remeshing.h>
+
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Jet.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/sample_mesh.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/regions/split_regions.h>
+
+#include <Eigen/SVD>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Anisotropic_hde_remeshing {
+namespace internal {
+
+// the signed distance to a plane
+struct Region_plane
+{
+  Vector point = Vector::Zero(), normal = Vector::Zero();
+
+  Value_and_gradient operator()(const Vector& p) const { return Value_and_gradient{{normal.dot(p - point)}, normal}; }
+};
+
+// The plane that fits the points best. A singular value decomposition loses no digit to the squares of a covariance matrix, which
+// CGAL's fitting builds. Axes are planes' normals often: where the points are equal in a coordinate, so is the plane.
+inline Region_plane best_plane(const std::vector<Vector>& points, const double size)
+{
+  Vector low = points.front(), high = low, sum = Vector::Zero();
+  for (const Vector& p : points)
+  {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+    sum += p - points.front();
+  }
+  Region_plane plane;
+  plane.point = points.front() + sum / double(points.size());
+  Eigen::Index axis;
+  if ((high - low).minCoeff(&axis) <= 1e-14 * size)
+  {
+    plane.normal = Vector::Unit(axis);
+    plane.point[axis] = low[axis] + 0.5 * (high[axis] - low[axis]);
+    return plane;
+  }
+  Eigen::Matrix<double, Eigen::Dynamic, 3> offsets(Eigen::Index(points.size()), 3);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    offsets.row(Eigen::Index(i)) = points[i] - plane.point;
+  if (offsets.rows() < 3)
+    return plane;
+  const Eigen::JacobiSVD<Eigen::Matrix<double, Eigen::Dynamic, 3>> decomposition(offsets, Eigen::ComputeFullV);
+  plane.normal = decomposition.matrixV().col(2);
+  return plane;
+}
+
+// The plane of a region, looking to where its faces look, if all its points are in one within `tolerance`, and within a hundredth
+// of its own size.
+inline std::optional<Region_plane> plane_of(const Region_mesh& region, const double tolerance)
+{
+  std::vector<Vector> points;
+  Vector low = to_vector(region.point(*region.vertices().begin())), high = low;
+  for (const Region_mesh::Vertex_index v : region.vertices())
+  {
+    points.push_back(to_vector(region.point(v)));
+    low = low.cwiseMin(points.back());
+    high = high.cwiseMax(points.back());
+  }
+  const double size = (high - low).norm(), thickness = (std::min)(tolerance, 0.01 * size);
+  Region_plane plane = best_plane(points, size);
+  if (std::any_of(points.begin(), points.end(), [&](const Vector& p) { return !(std::abs(plane(p).value) <= thickness); }))
+    return std::nullopt;
+  double projected_area = 0, area = 0;
+  for (const Facet& facet : facets_of(region, [](const Region_mesh::Vertex_index v) { return std::size_t(v); }))
+  {
+    const Vector twice = (points[facet[1]] - points[facet[0]]).cross(points[facet[2]] - points[facet[0]]);
+    projected_area += plane.normal.dot(twice);
+    area += twice.norm();
+  }
+  // no side to look to: folded, or without an area
+  if (!(std::abs(projected_area) > 0.5 * area))
+    return std::nullopt;
+  if (projected_area < 0)
+    plane.normal = -plane.normal;
+  return plane;
+}
+
+} // namespace internal
+} // namespace Anisotropic_hde_remeshing
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REGIONS_REGION_PLANE_H

@@ -1,0 +1,388 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+#ifndef CGAL_PIECEWISE_RBF_IMPLICIT_FUNCTION_H
+#define CGAL_PIECEWISE_RBF_IMPLICIT_FUNCTION_H
+
+#include <CGAL/license/Anisotropic_hde_remeshing.h>
+
+#include <CGAL/Anisotropic_hde_remeshing/Piecewise_rbf_diagnostics.h>
+#include <CGAL/Anisotropic_hde_remeshing/Remeshing_visitor.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/Interruption.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/interpolation_parameters.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/sample_mesh.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/named_parameters.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/regions/Region_facets.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/regions/Region_plane.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/regions/diagonal_of.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/regions/split_regions.h>
+#include <CGAL/Radial_basis_functions.h>
+#include <CGAL/Rbf_implicit_function.h>
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/Real_timer.h>
+#include <CGAL/tags.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <exception>
+#include <memory>
+#include <stdexcept>
+#include <thread>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgAnisotropicHdeRemeshingRef
+
+Signed functions, one for each region of a triangle mesh, whose zero sets together are a surface with sharp edges: each is smooth,
+and the edges are where two of them meet.
+
+The regions are those of `Anisotropic_hde_remeshing::detect_surface_regions()`, or any other parts of the mesh. A vertex at a crease
+belongs to all regions there, and has the normal of each. The function of a region is
+- the signed distance to a plane, if all points of the region are in one up to 5 millionths of the size of the mesh, which is the
+  rounding of files with six digits;
+- else an `Rbf_implicit_function` of the faces of the region;
+- for a region of less than 10 vertices, the signed distance to its facets. At their boundary it goes on along the tangent planes.
+
+All of them go on smoothly beyond the boundary of the region: planes without an end, facets along their tangents, fields for two
+and a half local spacings.
+
+Copies are cheap: they share the data, which never change. All members are thread-safe. The function does not depend on the
+number of threads that built it. Large regions are built one after another, each in parallel, and small ones in parallel with each
+other.
+
+The construction takes time linear in the number of points, an evaluation that of an `Rbf_implicit_function`.
+
+\tparam GeomTraits a kernel; computations are in `double` whatever its number type
+\tparam RadialFunction a model of `RadialBasisFunction`, such as `Polyharmonic_rbf`
+\tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
+
+\cgalModels `PiecewiseImplicitFunction`
+*/
+template <typename GeomTraits, typename RadialFunction = Polyharmonic_rbf, typename ConcurrencyTag = Parallel_if_available_tag>
+class Piecewise_rbf_implicit_function
+{
+  typedef Anisotropic_hde_remeshing::internal::Vector Vector;
+  typedef Anisotropic_hde_remeshing::internal::Value_and_gradient Value_and_gradient;
+  typedef Anisotropic_hde_remeshing::internal::Region_mesh Region_mesh;
+  typedef Anisotropic_hde_remeshing::internal::Region_plane Region_plane;
+  typedef Anisotropic_hde_remeshing::internal::Region_facets Region_facets;
+  typedef Anisotropic_hde_remeshing::internal::Interruption Interruption;
+
+  // of the distances of points to the plane of their region, as a share of the size of the mesh
+  static constexpr double planarity = 5e-6;
+  // of a region with a field
+  static constexpr std::size_t least_number_of_vertices = 10;
+  // of a region that is worth all threads
+  static constexpr std::size_t large_number_of_vertices = 2000;
+
+public:
+  typedef GeomTraits Geom_traits;
+  typedef typename GeomTraits::FT FT;
+  typedef typename GeomTraits::Point_3 Point_3;
+  typedef typename GeomTraits::Vector_3 Vector_3;
+  /// the function of a region that is neither plane nor small
+  typedef Rbf_implicit_function<GeomTraits, RadialFunction, ConcurrencyTag> Field;
+
+  /*!
+  The function of one region, negative inside.
+
+  \cgalModels `ImplicitFunctionWithGradient`
+  */
+  class Piece
+  {
+    struct Nothing
+    {
+      Value_and_gradient operator()(const Vector&) const { return Value_and_gradient{{1.}, Vector::Zero()}; }
+    };
+
+  public:
+    typedef typename GeomTraits::FT FT;
+    typedef typename GeomTraits::Point_3 Point_3;
+    typedef typename GeomTraits::Vector_3 Vector_3;
+    typedef Point_3 Point; ///< as the concept `ImplicitFunction` calls it
+
+    /// what it is
+    Anisotropic_hde_remeshing::Piece_kind kind() const
+    {
+      using Anisotropic_hde_remeshing::Piece_kind;
+      static constexpr Piece_kind kinds[] = {Piece_kind::NONE, Piece_kind::PLANE, Piece_kind::CLOSEST_POINT, Piece_kind::FIELD};
+      return kinds[m_function.index()];
+    }
+
+    /// the interpolant, if the kind is `Piece_kind::FIELD`; else a null pointer
+    const Field* field() const { return std::get_if<Field>(&m_function); }
+
+    /*!
+    the value at `p`, in the unit of the coordinates
+
+    \throw std::invalid_argument here and in the functions below if a coordinate of `p` is not finite
+    */
+    FT operator()(const Point_3& p) const { return field() != nullptr ? (*field())(p) : FT(evaluate(p).value); }
+
+    /// the gradient at `p`, outward, of length close to 1 near the surface
+    Vector_3 gradient(const Point_3& p) const
+    {
+      return field() != nullptr ? field()->gradient(p) : to_vector_3(evaluate(p).gradient);
+    }
+
+    /// both, in the time of one
+    std::pair<FT, Vector_3> value_and_gradient(const Point_3& p) const
+    {
+      if (field() != nullptr)
+        return field()->value_and_gradient(p);
+      const Value_and_gradient result = evaluate(p);
+      return std::make_pair(FT(result.value), to_vector_3(result.gradient));
+    }
+
+  private:
+    friend class Piecewise_rbf_implicit_function;
+
+    // of a piece that is no field
+    Value_and_gradient evaluate(const Point_3& p) const
+    {
+      const Vector point = Anisotropic_hde_remeshing::internal::to_vector(p);
+      if (!point.allFinite())
+        throw std::invalid_argument("the implicit function is asked for a point whose coordinates are not finite");
+      if (const auto* plane = std::get_if<Region_plane>(&m_function))
+        return (*plane)(point);
+      if (const auto* facets = std::get_if<std::shared_ptr<const Region_facets>>(&m_function))
+        return (**facets)(point);
+      return Nothing()(point);
+    }
+
+    static Vector_3 to_vector_3(const Vector& v) { return Vector_3(FT(v[0]), FT(v[1]), FT(v[2])); }
+
+    std::variant<Nothing, Region_plane, std::shared_ptr<const Region_facets>, Field> m_function;
+  };
+
+  /*!
+  builds the functions of the regions of a mesh.
+
+  \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+  \tparam FaceRegionMap a model of `ReadablePropertyMap` with the faces of `tmesh` as keys and values that are convertible to
+          `std::size_t`
+  \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+  \param tmesh the mesh, whose isolated vertices are ignored
+  \param face_region the regions of the faces, numbered from 0 on without a gap
+  \param np optional named parameters among the ones below, and those of the constructor of `Rbf_implicit_function` for a mesh but
+         for `vertex_normal_map`, which is not used: a vertex at a crease has several normals
+
+  \cgalNamedParamsBegin
+    \cgalParamNBegin{vertex_point_map}
+      \cgalParamDescription{the points of the vertices}
+      \cgalParamDefault{`get_const_property_map(CGAL::vertex_point, tmesh)`}
+    \cgalParamNEnd
+    \cgalParamNBegin{number_of_patches}
+      \cgalParamDescription{of all regions together, which have it in proportion to their vertices, but at least one}
+      \cgalParamDefault{one for 25 points}
+    \cgalParamNEnd
+    \cgalParamNBegin{visitor}
+      \cgalParamDescription{its `go_further()` is asked every few milliseconds, and may stop the construction}
+      \cgalParamType{a model of `RemeshingVisitor`}
+      \cgalParamDefault{`Anisotropic_hde_remeshing::Remeshing_visitor`}
+    \cgalParamNEnd
+  \cgalNamedParamsEnd
+
+  \throw Anisotropic_hde_remeshing::Interrupted if the visitor stops the construction
+  \throw std::invalid_argument if there are no faces, a number below that of the regions has no face, a coordinate is not finite,
+         or a parameter is out of its range; the message names it
+  */
+  template <typename TriangleMesh, typename FaceRegionMap, typename NamedParameters = parameters::Default_named_parameters>
+  Piecewise_rbf_implicit_function(const TriangleMesh& tmesh, const FaceRegionMap face_region,
+                                  const NamedParameters& np = parameters::default_values())
+  {
+    using parameters::choose_parameter;
+    using parameters::get_parameter;
+    Real_timer timer;
+    timer.start();
+    Anisotropic_hde_remeshing::internal::interpolation_parameters(np); // throws what is wrong with them
+    auto visitor = choose_parameter(get_parameter(np, internal_np::visitor), Anisotropic_hde_remeshing::Remeshing_visitor());
+    Interruption interruption([&visitor] { return visitor.go_further(); });
+    const std::vector<Region_mesh> regions = Anisotropic_hde_remeshing::internal::split_regions(
+        tmesh, choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tmesh)),
+        face_region, interruption);
+    const auto data = std::make_shared<Data>();
+    data->pieces.resize(regions.size());
+    build(regions, np, interruption, data->pieces);
+    data->diagnostics = summary(data->pieces);
+    data->diagnostics.seconds = timer.time();
+    m_data = data;
+  }
+
+  /// the number of regions
+  std::size_t number_of_pieces() const { return m_data->pieces.size(); }
+
+  /// the function of region `i`, less than `number_of_pieces()`. The reference is valid as long as a copy of this object is there.
+  const Piece& piece(const std::size_t i) const { return m_data->pieces[i]; }
+
+  /// what the construction did
+  const Anisotropic_hde_remeshing::Piecewise_rbf_diagnostics& diagnostics() const { return m_data->diagnostics; }
+
+private:
+  struct Data
+  {
+    std::vector<Piece> pieces;
+    Anisotropic_hde_remeshing::Piecewise_rbf_diagnostics diagnostics;
+  };
+
+  // Passes the question of a region, in whatever thread it is built, on to the visitor, which the thread of the caller alone may ask.
+  class Visitor_of_region : public Anisotropic_hde_remeshing::Remeshing_visitor
+  {
+  public:
+    explicit Visitor_of_region(Interruption& interruption) : m_interruption(&interruption) {}
+
+    bool go_further()
+    {
+      return !(std::this_thread::get_id() == m_owner ? m_interruption->ask() : m_interruption->is_requested());
+    }
+
+  private:
+    Interruption* m_interruption;
+    std::thread::id m_owner = std::this_thread::get_id();
+  };
+
+  // Large regions have all threads for themselves, one after another: the thread of the caller, which asks the visitor, must not
+  // work for another's. No exception may leave the loop over the small ones: it would cancel the loops within, which cannot tell.
+  template <typename NamedParameters>
+  static void build(const std::vector<Region_mesh>& regions, const NamedParameters& np, Interruption& interruption,
+                    std::vector<Piece>& pieces)
+  {
+    Bbox_3 box;
+    std::size_t number_of_vertices = 0;
+    std::vector<std::size_t> small;
+    for (const Region_mesh& region : regions)
+    {
+      box += Polygon_mesh_processing::bbox(region);
+      number_of_vertices += region.number_of_vertices();
+    }
+    const double size = Anisotropic_hde_remeshing::internal::diagonal_of(box);
+    const Visitor_of_region visitor(interruption);
+    const auto build_one = [&](const std::size_t i)
+    {
+      const double share = double(regions[i].number_of_vertices()) / double(number_of_vertices);
+      pieces[i] = build_piece(regions[i], planarity * size, with_share_of_patches(np, share), visitor, interruption);
+    };
+    for (std::size_t i = 0; i < regions.size(); ++i)
+      if (regions[i].number_of_vertices() < large_number_of_vertices)
+        small.push_back(i);
+      else
+        build_one(i);
+    std::vector<std::exception_ptr> exceptions(small.size());
+    Anisotropic_hde_remeshing::internal::parallel_for<ConcurrencyTag>(
+        small.size(),
+        [&](const std::size_t k)
+        {
+          try
+          {
+            build_one(small[k]);
+          }
+          catch (...)
+          {
+            exceptions[k] = std::current_exception();
+          }
+        },
+        1, interruption);
+    interruption.check();
+    for (const std::exception_ptr& exception : exceptions)
+      if (exception)
+        std::rethrow_exception(exception);
+  }
+
+  template <typename NamedParameters>
+  static auto with_share_of_patches(const NamedParameters& np, const double share)
+  {
+    if constexpr (parameters::is_default_parameter<NamedParameters, internal_np::number_of_patches_t>::value)
+      return np;
+    else
+    {
+      const double n = double(parameters::get_parameter(np, internal_np::number_of_patches));
+      return np.number_of_patches(std::size_t((std::max)(1., std::round(share * n))));
+    }
+  }
+
+  template <typename NamedParameters>
+  static Piece build_piece(const Region_mesh& region, const double tolerance, const NamedParameters& np,
+                           const Visitor_of_region& visitor, Interruption& interruption)
+  {
+    Piece piece;
+    if (const auto plane = Anisotropic_hde_remeshing::internal::plane_of(region, tolerance))
+    {
+      piece.m_function = *plane;
+      return piece;
+    }
+    if (region.number_of_vertices() >= least_number_of_vertices)
+    {
+      try
+      {
+        piece.m_function = Field(
+            region,
+            np.vertex_point_map(get(vertex_point, region)).vertex_normal_map(internal_np::Param_not_found()).visitor(visitor));
+        return piece;
+      }
+      catch (const std::invalid_argument&) // parameters and points are checked already: no face has an area
+      {
+      }
+    }
+    const auto facets = std::make_shared<const Region_facets>(Anisotropic_hde_remeshing::internal::sample_mesh(
+        region, get(vertex_point, region), internal_np::Param_not_found(), interruption));
+    if (!facets->empty())
+      piece.m_function = facets;
+    return piece;
+  }
+
+  static Anisotropic_hde_remeshing::Piecewise_rbf_diagnostics summary(const std::vector<Piece>& pieces)
+  {
+    using Anisotropic_hde_remeshing::Piece_kind;
+    Anisotropic_hde_remeshing::Piecewise_rbf_diagnostics result;
+    result.number_of_regions = pieces.size();
+    for (const Piece& piece : pieces)
+    {
+      result.memory_bytes += sizeof(Piece);
+      result.number_of_planes += piece.kind() == Piece_kind::PLANE ? 1 : 0;
+      result.number_of_regions_without_area += piece.kind() == Piece_kind::NONE ? 1 : 0;
+      if (piece.kind() == Piece_kind::CLOSEST_POINT)
+      {
+        ++result.number_of_closest_point_regions;
+        result.memory_bytes += std::get<std::shared_ptr<const Region_facets>>(piece.m_function)->memory_bytes();
+      }
+      if (piece.field() != nullptr)
+        add(piece.field()->diagnostics(), result);
+    }
+    return result;
+  }
+
+  static void add(const Anisotropic_hde_remeshing::Rbf_diagnostics& field,
+                  Anisotropic_hde_remeshing::Piecewise_rbf_diagnostics& result)
+  {
+    ++result.number_of_fields;
+    result.number_of_points += field.number_of_points;
+    result.number_of_patches += field.number_of_patches;
+    result.patches_repaired += field.patches_repaired;
+    result.patches_on_fallback += field.patches_on_fallback;
+    result.number_of_failed_checks += field.number_of_failed_checks;
+    result.worst_residual = (std::max)(result.worst_residual, field.worst_residual);
+    result.worst_value_residual = (std::max)(result.worst_value_residual, field.worst_value_residual);
+    result.worst_condition = (std::max)(result.worst_condition, field.worst_condition);
+    result.memory_bytes += field.memory_bytes;
+  }
+
+  std::shared_ptr<const Data> m_data;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_PIECEWISE_RBF_IMPLICIT_FUNCTION_H
