@@ -20,6 +20,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/Region_facets.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/Region_plane.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/regions/Uneven_region.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/diagonal_of.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/split_regions.h>
 #include <CGAL/Radial_basis_functions.h>
@@ -53,7 +54,8 @@ The regions are those of `Anisotropic_hde_remeshing::detect_surface_regions()`, 
 belongs to all regions there, and has the normal of each. The function of a region is
 - the signed distance to a plane, if all points of the region are in one up to 5 millionths of the size of the mesh, which is the
   rounding of files with six digits;
-- else an `Rbf_implicit_function` of the faces of the region;
+- else an `Rbf_implicit_function` of the faces of the region; or, where their edges are much longer in one direction than in the
+  other, as those of a cylinder of two rows of vertices, of points with normals that are added on curves over the long edges;
 - for a region of less than 10 vertices, the signed distance to its facets. At their boundary it goes on along the tangent planes.
 
 All of them go on smoothly beyond the boundary of the region: planes without an end, facets along their tangents, fields for two
@@ -328,9 +330,14 @@ private:
     {
       try
       {
-        piece.m_function = Field(
-            region,
-            np.vertex_point_map(get(vertex_point, region)).vertex_normal_map(internal_np::Param_not_found()).visitor(visitor));
+        const auto points = Anisotropic_hde_remeshing::internal::Uneven_region(region).points();
+        const auto np_of_region = np.visitor(visitor);
+        if (points.empty())
+          piece.m_function.template emplace<Field>(
+              region,
+              np_of_region.vertex_point_map(get(vertex_point, region)).vertex_normal_map(internal_np::Param_not_found()));
+        else
+          piece.m_function.template emplace<Field>(points, np_of_region);
         return piece;
       }
       catch (const std::invalid_argument&) // parameters and points are checked already: no face has an area
