@@ -14,6 +14,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/check_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/named_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/Face_directions.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/regions/extend_darts.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/prune_creases.h>
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
@@ -36,10 +37,11 @@ namespace Anisotropic_hde_remeshing {
 /// what `detect_surface_regions()` has found
 struct Surface_regions
 {
-  std::size_t number_of_regions = 0;       ///< the parts of the surface between its creases and boundaries
-  std::size_t number_of_crease_edges = 0;  ///< those that are marked
-  std::size_t number_of_dropped_edges = 0; ///< edges that are sharp by their angle, but taken for noise
-  std::size_t number_of_joined_specks = 0; ///< regions of a few small faces that were joined to a neighbour
+  std::size_t number_of_regions = 0;         ///< the parts of the surface between its creases and boundaries
+  std::size_t number_of_crease_edges = 0;    ///< those that are marked
+  std::size_t number_of_dropped_edges = 0;   ///< edges that are sharp by their angle, but taken for noise
+  std::size_t number_of_extension_edges = 0; ///< edges that are not sharp, by which creases that fade out go on
+  std::size_t number_of_joined_specks = 0;   ///< regions of a few small faces that were joined to a neighbour
 };
 
 namespace internal {
@@ -130,6 +132,25 @@ void check_points(const TriangleMesh& tmesh, const VertexPointMap vpm)
   }
 }
 
+// Extends darts, and takes those extensions back that separate nothing. Returns how many edges it has marked.
+template <typename TriangleMesh, typename Directions, typename EdgeRange, typename FaceRegionMap, typename EdgeIsCreaseMap>
+std::size_t extend_darts(const TriangleMesh& tmesh, const Directions& directions, const double angle, const EdgeRange& sharp,
+                         const FaceRegionMap region, const EdgeIsCreaseMap is_crease)
+{
+  number_regions(tmesh, is_crease, region);
+  const auto extension = Dart_extension(tmesh, directions, angle)(region, sharp, is_crease);
+  number_regions(tmesh, is_crease, region);
+  std::size_t number = 0;
+  for (const auto e : extension)
+  {
+    const auto h = halfedge(e, tmesh);
+    const bool is_separating = get(region, face(h, tmesh)) != get(region, face(opposite(h, tmesh), tmesh));
+    put(is_crease, e, is_separating);
+    number += is_separating ? 1 : 0;
+  }
+  return number;
+}
+
 } // namespace internal
 
 /*!
@@ -146,6 +167,10 @@ than 3 millionths of the size of the surface, is taken for a part of its neighbo
 the surface is the diagonal of the box about its connected component. A speck, a region of at most 8 faces which is smaller than
 3% of the surface, is joined to the neighbour behind its weakest edge. A dart, connected creases with the same region on both
 sides, is dropped if it is shorter than 8% of the surface.
+
+<b>Extension.</b> A longer dart is extended from its tips to the next crease or boundary, along edges that are as sharp and as
+few as can be, if these cost at most half of its length: an edge as sharp as a crease costs a tenth of its length, a smooth one
+all of it. What separates no regions then is taken back.
 
 The time is linear in the size of the mesh but for the sorting of the creases by their angle. The result does not depend on the
 position, the orientation or the unit of the mesh but for rounding.
@@ -216,6 +241,7 @@ Surface_regions detect_surface_regions(const TriangleMesh& tmesh, EdgeIsCreaseMa
         internal::Crease_pruning<TriangleMesh, std::decay_t<decltype(vpm)>>(tmesh, directions)(region, n, sharp, is_crease);
     for (const auto e : sharp)
       result.number_of_dropped_edges += get(is_crease, e) ? 0 : 1;
+    result.number_of_extension_edges = internal::extend_darts(tmesh, directions, angle, sharp, region, is_crease);
   }
   result.number_of_regions = internal::number_regions(tmesh, is_crease, region);
   for (const auto e : edges(tmesh))
