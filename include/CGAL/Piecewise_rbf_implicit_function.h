@@ -14,6 +14,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/Piecewise_rbf_diagnostics.h>
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_visitor.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/Interruption.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/evaluation.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/interpolation_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/sample_mesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/named_parameters.h>
@@ -87,6 +88,11 @@ class Piecewise_rbf_implicit_function
   static constexpr double planarity = 5e-6;
   // of a region with a field
   static constexpr std::size_t least_number_of_vertices = 10;
+  // of the distance of the zero set from the centroid of a facet, over its longest edge; an arc of 90 degrees has .2. And of the
+  // cosine between their normals: what is beyond misses the facet
+  static constexpr double largest_height = 0.2, least_cosine = 0.5;
+  // of the area of the facets that the field of a region misses
+  static constexpr double largest_share_of_missed_facets = 0.02;
   // of a region that is worth all threads
   static constexpr std::size_t large_number_of_vertices = 2000;
 
@@ -330,25 +336,68 @@ private:
     {
       try
       {
-        const auto points = Anisotropic_hde_remeshing::internal::Uneven_region(region).points();
-        const auto np_of_region = np.visitor(visitor);
-        if (points.empty())
-          piece.m_function.template emplace<Field>(
-              region,
-              np_of_region.vertex_point_map(get(vertex_point, region)).vertex_normal_map(internal_np::Param_not_found()));
-        else
-          piece.m_function.template emplace<Field>(points, np_of_region);
-        return piece;
+        piece = field_of(region, np.visitor(visitor));
+        if (share_of_missed_facets(piece, region) <= largest_share_of_missed_facets)
+          return piece;
       }
       catch (const std::invalid_argument&) // parameters and points are checked already: no face has an area
       {
       }
     }
+    piece = Piece();
     const auto facets = std::make_shared<const Region_facets>(Anisotropic_hde_remeshing::internal::sample_mesh(
         region, get(vertex_point, region), internal_np::Param_not_found(), interruption));
     if (!facets->empty())
       piece.m_function = facets;
     return piece;
+  }
+
+  // Of points between the vertices, too, if these are spread unevenly; if that field misses facets, of the vertices alone, whose
+  // patches are checked, and answered by the facets where they fail.
+  template <typename NamedParameters>
+  static Piece field_of(const Region_mesh& region, const NamedParameters& np)
+  {
+    Piece piece;
+    const auto points = Anisotropic_hde_remeshing::internal::Uneven_region(region).points();
+    if (!points.empty())
+    {
+      piece.m_function.template emplace<Field>(points, np);
+      if (!(share_of_missed_facets(piece, region) > 0))
+        return piece;
+    }
+    Piece of_vertices;
+    of_vertices.m_function.template emplace<Field>(
+        region, np.vertex_point_map(get(vertex_point, region)).vertex_normal_map(internal_np::Param_not_found()));
+    if (points.empty() || share_of_missed_facets(of_vertices, region) < share_of_missed_facets(piece, region))
+      return of_vertices;
+    return piece;
+  }
+
+  // by area: those at whose centroid the zero set is far away or turned
+  static double share_of_missed_facets(const Piece& piece, const Region_mesh& region)
+  {
+    double area = 0, missed = 0;
+    for (const auto f : region.faces())
+    {
+      const auto h = region.halfedge(f);
+      const Vector a = to_vector(region.point(region.source(h))), b = to_vector(region.point(region.target(h))),
+                   c = to_vector(region.point(region.target(region.next(h)))), normal = (b - a).cross(c - a);
+      const double longest = std::sqrt((std::max)({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
+      const Vector centroid = (a + b + c) / 3;
+      const Value_and_gradient at_centroid = Anisotropic_hde_remeshing::internal::value_and_gradient_of(piece, centroid);
+      const double slope = at_centroid.gradient.norm();
+      const bool is_met = std::abs(at_centroid.value) <= largest_height * longest * slope &&
+                          at_centroid.gradient.dot(normal) >= least_cosine * slope * normal.norm();
+      area += normal.norm();
+      missed += is_met ? 0 : normal.norm();
+    }
+    return area > 0 ? missed / area : 0;
+  }
+
+  template <typename Point>
+  static Vector to_vector(const Point& p)
+  {
+    return Anisotropic_hde_remeshing::internal::to_vector(p);
   }
 
   static Anisotropic_hde_remeshing::Piecewise_rbf_diagnostics summary(const std::vector<Piece>& pieces)
