@@ -63,7 +63,8 @@ Without alignment the mean is 45.
 
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`: how the gradients are computed
 \tparam TriangleMesh a model of `VertexListGraph`, `EdgeListGraph`, `HalfedgeListGraph` and `FaceListGraph`
-\tparam Function a model of `ImplicitFunctionWithGradient`; its curvatures are taken from differences of its gradient
+\tparam Function a model of `ImplicitFunctionWithGradient`, or of `PiecewiseImplicitFunction`, which needs `face_patch_map`; its
+        curvatures are taken from differences of its gradient
 \tparam NamedParameters a sequence of named parameters
 
 \param tmesh a triangle mesh
@@ -81,7 +82,7 @@ Alignment_measures measure_alignment(const TriangleMesh& tmesh, const Function& 
 {
   static constexpr double not_counted = -1;
   static constexpr double relative_step = 1e-3; // of the shortest edge
-  const internal::Measured_mesh mesh = internal::read_measured_mesh(tmesh, np);
+  const internal::Measured_mesh mesh = internal::read_measured_mesh_of(f, tmesh, np);
   std::vector<double> angles(mesh.faces.size(), not_counted);
   internal::parallel_for<ConcurrencyTag>(
       angles.size(),
@@ -96,7 +97,7 @@ Alignment_measures measure_alignment(const TriangleMesh& tmesh, const Function& 
           return;
         const double step =
             relative_step * std::sqrt((std::min)({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
-        const internal::Curvature_by_differences curvature(f, (a + b + c) / 3, step);
+        const internal::Curvature_by_differences curvature(internal::piece(f, mesh.face_regions[i]), (a + b + c) / 3, step);
         if (curvature.steeper != 0 && std::abs(curvature.steeper) >= smallest_ratio * std::abs(curvature.flatter))
           angles[i] = std::acos((std::min)(std::abs(stretch.direction.dot(curvature.flatter_direction)), 1.)) * 180 / CGAL_PI;
       });

@@ -62,7 +62,8 @@ Each face counts with the curvature at its centroid.
 
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`: how the gradients are computed
 \tparam TriangleMesh a model of `VertexListGraph`, `EdgeListGraph`, `HalfedgeListGraph` and `FaceListGraph`
-\tparam Function a model of `ImplicitFunctionWithGradient`; its curvatures are taken from differences of its gradient
+\tparam Function a model of `ImplicitFunctionWithGradient`, or of `PiecewiseImplicitFunction`, which needs `face_patch_map`; its
+        curvatures are taken from differences of its gradient
 \tparam NamedParameters a sequence of named parameters
 
 \param tmesh a triangle mesh
@@ -80,7 +81,7 @@ Approximation_bounds approximation_bounds(const TriangleMesh& tmesh, const Funct
   static constexpr double elliptic = 0.298142, elliptic_off_surface = 0.0745356, hyperbolic = 0.1054;
   static constexpr double elliptic_max = 0.3849002, hyperbolic_max = 0.2236068;
 
-  const internal::Measured_mesh mesh = internal::read_measured_mesh(tmesh, np);
+  const internal::Measured_mesh mesh = internal::read_measured_mesh_of(f, tmesh, np);
   const std::size_t n = mesh.faces.size();
   std::vector<double> areas(n, 0.), gauss_curvatures(n, 0.);
   internal::parallel_for<ConcurrencyTag>(
@@ -94,7 +95,7 @@ Approximation_bounds approximation_bounds(const TriangleMesh& tmesh, const Funct
           return;
         const double step =
             relative_step * std::sqrt((std::min)({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
-        const internal::Curvature_by_differences curvature(f, (a + b + c) / 3, step);
+        const internal::Curvature_by_differences curvature(internal::piece(f, mesh.face_regions[i]), (a + b + c) / 3, step);
         gauss_curvatures[i] = curvature.flatter * curvature.steeper;
       });
 

@@ -106,7 +106,11 @@ std::vector<Vector> unit_normals(const Measured_mesh& mesh, const Function& f)
 {
   std::vector<Vector> normals(mesh.points.size());
   parallel_for<ConcurrencyTag>(normals.size(),
-                               [&](const std::size_t v) { normals[v] = gradient_of(f, mesh.points[v]).stableNormalized(); });
+                               [&](const std::size_t v)
+                               {
+                                 const auto& piece_at = piece(f, mesh.point_regions[v]);
+                                 normals[v] = gradient_of(piece_at, mesh.points[v]).stableNormalized();
+                               });
   return normals;
 }
 
@@ -260,7 +264,7 @@ gradients at its three vertices.
 
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`: how the gradients are computed
 \tparam TriangleMesh a model of `VertexListGraph`, `EdgeListGraph`, `HalfedgeListGraph` and `FaceListGraph`
-\tparam Function a model of `ImplicitFunctionWithGradient`
+\tparam Function a model of `ImplicitFunctionWithGradient`, or of `PiecewiseImplicitFunction`, which needs `face_patch_map`
 \tparam NamedParameters a sequence of named parameters
 
 \param tmesh a triangle mesh
@@ -279,7 +283,7 @@ Embedding_measures measure_embedding(const TriangleMesh& tmesh, const Function& 
   using parameters::choose_parameter;
   using parameters::get_parameter;
 
-  const internal::Measured_mesh mesh = internal::read_measured_mesh(tmesh, np);
+  const internal::Measured_mesh mesh = internal::read_measured_mesh_of(f, tmesh, np);
   Embedding_measures measures;
   measures.sigma = to_double(choose_parameter(get_parameter(np, internal_np::sigma), 0.01 * mesh.diagonal()));
   measures.target_edge_length = to_double(choose_parameter(get_parameter(np, internal_np::target_edge_length), 0.));

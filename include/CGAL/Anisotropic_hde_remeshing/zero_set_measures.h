@@ -32,7 +32,7 @@ result, as does another number of threads.
 
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`: how the function is evaluated
 \tparam TriangleMesh a model of `VertexListGraph`, `EdgeListGraph`, `HalfedgeListGraph` and `FaceListGraph`
-\tparam Function a model of `ImplicitFunctionWithGradient`
+\tparam Function a model of `ImplicitFunctionWithGradient`, or of `PiecewiseImplicitFunction`, which needs `face_patch_map`
 \tparam NamedParameters a sequence of named parameters
 
 \param tmesh a triangle mesh
@@ -50,21 +50,24 @@ Zero_set_measures measure_distance_to_zero_set(const TriangleMesh& tmesh, const 
   using parameters::choose_parameter;
   using parameters::get_parameter;
 
-  const internal::Measured_mesh mesh = internal::read_measured_mesh(tmesh, np);
+  const internal::Measured_mesh mesh = internal::read_measured_mesh_of(f, tmesh, np);
   const std::size_t number_of_samples = static_cast<std::size_t>(
       choose_parameter(get_parameter(np, internal_np::number_of_points_on_faces), std::size_t(200000)));
-  const auto distance = [&f](const internal::Vector& p)
-  { return internal::first_order_distance(internal::value_and_gradient_of(f, p)); };
+  const auto distance = [&f](const internal::Vector& p, const internal::Region region)
+  { return internal::first_order_distance(internal::value_and_gradient_of(internal::piece(f, region), p)); };
   const auto vertex_max = [&](const bool on_boundary)
   {
     const auto distance_of_vertex = [&](const std::size_t v)
-    { return static_cast<bool>(mesh.is_on_boundary[v]) == on_boundary ? distance(mesh.points[v]) : 0; };
+    {
+      const bool is_meant = static_cast<bool>(mesh.is_on_boundary[v]) == on_boundary;
+      return is_meant ? distance(mesh.points[v], mesh.point_regions[v]) : 0;
+    };
     return internal::rms_and_max<ConcurrencyTag>(mesh.points.size(), distance_of_vertex).max;
   };
 
   const internal::Area_sampler sampler(mesh, number_of_samples);
-  const internal::Rms_and_max of_faces =
-      internal::rms_and_max<ConcurrencyTag>(sampler.size(), [&](const std::size_t i) { return distance(sampler(i)); });
+  const internal::Rms_and_max of_faces = internal::rms_and_max<ConcurrencyTag>(
+      sampler.size(), [&](const std::size_t i) { return distance(sampler(i), mesh.face_regions[sampler.face(i)]); });
   Zero_set_measures measures;
   measures.interior_vertex_max = vertex_max(false);
   measures.boundary_vertex_max = vertex_max(true);

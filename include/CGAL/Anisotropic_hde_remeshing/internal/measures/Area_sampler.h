@@ -53,13 +53,13 @@ public:
       u = 1 - u;
       v = 1 - v;
     }
-    const std::array<std::size_t, 3>& face = m_mesh.faces[face_of(i)];
-    const Vector& origin = m_mesh.points[face[0]];
-    return origin + u * (m_mesh.points[face[1]] - origin) + v * (m_mesh.points[face[2]] - origin);
+    const std::array<std::size_t, 3>& vertices = m_mesh.faces[face(i)];
+    const Vector& origin = m_mesh.points[vertices[0]];
+    return origin + u * (m_mesh.points[vertices[1]] - origin) + v * (m_mesh.points[vertices[2]] - origin);
   }
 
-private:
-  std::size_t face_of(const std::size_t i) const
+  // on which the point lies
+  std::size_t face(const std::size_t i) const
   {
     const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(m_number_of_samples);
     if (!(m_areas_up_to.back() > 0)) // all faces degenerate: one after the other
@@ -68,6 +68,7 @@ private:
     return (std::min)(static_cast<std::size_t>(found - m_areas_up_to.begin()), m_areas_up_to.size() - 1);
   }
 
+private:
   const Measured_mesh& m_mesh;
   std::size_t m_number_of_samples;
   std::vector<double> m_areas_up_to;

@@ -14,6 +14,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/folded_edge.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Jet.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/named_parameters.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/pieces.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -34,13 +35,15 @@ namespace Anisotropic_hde_remeshing {
 namespace internal {
 
 // A triangle mesh in arrays: what all measures need, read from any face graph in one pass. Isolated vertices are only
-// counted; the others are numbered in the order of `vertices()`.
+// counted; the others are numbered in the order of `vertices()`. With a piecewise function it is cut along the creases: a vertex
+// there is one for each region, as is an edge, and counts as one of the boundary.
 struct Measured_mesh
 {
   std::vector<Vector> points;
   std::vector<char> is_on_boundary;  // a vertex, as `points`; no vector<bool>, which threads cannot share
   std::vector<std::size_t> valences; // a vertex
   std::vector<std::array<std::size_t, 3>> faces;
+  std::vector<Region> point_regions, face_regions;
   std::vector<char> is_degenerate; // a face, by the exact predicate of the kernel
   std::vector<std::pair<std::size_t, std::size_t>> edges;
   std::size_t number_of_isolated_vertices = 0;
@@ -75,7 +78,7 @@ struct Measured_mesh
 };
 
 // the steps of `read_measured_mesh()`
-template <typename TriangleMesh, typename VertexPointMap>
+template <typename TriangleMesh, typename VertexPointMap, typename FaceRegionMap>
 class Mesh_reader
 {
   typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
@@ -87,8 +90,11 @@ class Mesh_reader
   typedef typename boost::property_map<TriangleMesh, dynamic_halfedge_property_t<bool>>::const_type Visited_map;
 
 public:
-  Mesh_reader(const TriangleMesh& mesh, const VertexPointMap& point_map)
-    : m_mesh(mesh), m_point_map(point_map), m_indices(get(dynamic_vertex_property_t<std::size_t>(), mesh))
+  Mesh_reader(const TriangleMesh& mesh, const VertexPointMap& point_map, const FaceRegionMap& face_region)
+    : m_mesh(mesh),
+      m_point_map(point_map),
+      m_face_region(face_region),
+      m_indices(get(dynamic_vertex_property_t<std::size_t>(), mesh))
   {
   }
 
@@ -114,26 +120,63 @@ private:
       }
       put(m_indices, v, m_result.points.size());
       const auto& p = get(m_point_map, v);
-      m_result.points.emplace_back(to_double(p.x()), to_double(p.y()), to_double(p.z()));
+      const std::vector<Region> regions = regions_around(v);
+      for (const Region region : regions)
+      {
+        m_result.points.emplace_back(to_double(p.x()), to_double(p.y()), to_double(p.z()));
+        m_result.point_regions.push_back(region);
+        m_result.is_on_boundary.push_back(regions.size() > 1);
+      }
     }
-    m_result.is_on_boundary.assign(m_result.points.size(), 0);
     m_result.valences.assign(m_result.points.size(), 0);
+  }
+
+  std::vector<Region> regions_around(const vertex_descriptor v) const
+  {
+    std::vector<Region> regions;
+    for (const halfedge_descriptor h : halfedges_around_target(v, m_mesh))
+      if (!CGAL::is_border(h, m_mesh))
+        regions.push_back(region(face(h, m_mesh)));
+    std::sort(regions.begin(), regions.end());
+    regions.erase(std::unique(regions.begin(), regions.end()), regions.end());
+    return regions;
+  }
+
+  Region region(const face_descriptor f) const { return static_cast<Region>(get(m_face_region, f)); }
+
+  // of a vertex in a region
+  std::size_t index(const vertex_descriptor v, const Region region) const
+  {
+    std::size_t i = get(m_indices, v);
+    while (m_result.point_regions[i] != region)
+      ++i;
+    return i;
   }
 
   void read_edges()
   {
     for (const edge_descriptor e : edges(m_mesh))
     {
-      const halfedge_descriptor h = halfedge(e, m_mesh);
-      const std::size_t a = get(m_indices, source(h, m_mesh)), b = get(m_indices, target(h, m_mesh));
-      m_result.edges.emplace_back(a, b);
-      ++m_result.valences[a];
-      ++m_result.valences[b];
-      if (CGAL::is_border_edge(h, m_mesh))
-      {
-        ++m_result.number_of_boundary_edges;
-        m_result.is_on_boundary[a] = m_result.is_on_boundary[b] = 1;
-      }
+      const halfedge_descriptor h = halfedge(e, m_mesh), g = opposite(h, m_mesh);
+      const bool is_border_of_h = CGAL::is_border(h, m_mesh), is_border_of_g = CGAL::is_border(g, m_mesh);
+      m_result.number_of_boundary_edges += is_border_of_h || is_border_of_g ? 1 : 0;
+      const Region region_of_h = region(face(is_border_of_h ? g : h, m_mesh)),
+                   region_of_g = region(face(is_border_of_g ? h : g, m_mesh));
+      add_edge(h, region_of_h, is_border_of_h || is_border_of_g);
+      if (region_of_g != region_of_h)
+        add_edge(h, region_of_g, false);
+    }
+  }
+
+  void add_edge(const halfedge_descriptor h, const Region region, const bool is_boundary)
+  {
+    const std::size_t a = index(source(h, m_mesh), region), b = index(target(h, m_mesh), region);
+    m_result.edges.emplace_back(a, b);
+    for (const std::size_t v : {a, b})
+    {
+      ++m_result.valences[v];
+      if (is_boundary)
+        m_result.is_on_boundary[v] = 1;
     }
   }
 
@@ -145,7 +188,9 @@ private:
     {
       const halfedge_descriptor h = halfedge(f, m_mesh);
       const vertex_descriptor a = source(h, m_mesh), b = target(h, m_mesh), c = target(next(h, m_mesh), m_mesh);
-      m_result.faces.push_back({get(m_indices, a), get(m_indices, b), get(m_indices, c)});
+      const Region r = region(f);
+      m_result.faces.push_back({index(a, r), index(b, r), index(c, r)});
+      m_result.face_regions.push_back(r);
       m_result.is_degenerate.push_back(collinear(get(m_point_map, a), get(m_point_map, b), get(m_point_map, c)));
     }
   }
@@ -167,12 +212,13 @@ private:
 
   const TriangleMesh& m_mesh;
   VertexPointMap m_point_map;
-  Index_map m_indices;
+  FaceRegionMap m_face_region;
+  Index_map m_indices; // in the first of its regions
   Measured_mesh m_result;
 };
 
-template <typename TriangleMesh, typename NamedParameters>
-Measured_mesh read_measured_mesh(const TriangleMesh& tmesh, const NamedParameters& np)
+template <typename TriangleMesh, typename NamedParameters, typename FaceRegionMap>
+Measured_mesh read_measured_mesh(const TriangleMesh& tmesh, const NamedParameters& np, const FaceRegionMap& face_region)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -183,7 +229,28 @@ Measured_mesh read_measured_mesh(const TriangleMesh& tmesh, const NamedParameter
   const Geom_traits traits = choose_parameter<Geom_traits>(get_parameter(np, internal_np::geom_traits));
   const Vertex_point_map point_map =
       choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tmesh));
-  return Mesh_reader<TriangleMesh, Vertex_point_map>(tmesh, point_map).read(traits);
+  return Mesh_reader<TriangleMesh, Vertex_point_map, FaceRegionMap>(tmesh, point_map, face_region).read(traits);
+}
+
+template <typename TriangleMesh, typename NamedParameters>
+Measured_mesh read_measured_mesh(const TriangleMesh& tmesh, const NamedParameters& np)
+{
+  typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
+  return read_measured_mesh(tmesh, np, Static_boolean_property_map<face_descriptor, false>());
+}
+
+// cut along the creases of a piecewise function, the regions of whose faces `face_patch_map` tells
+template <typename Function, typename TriangleMesh, typename NamedParameters>
+Measured_mesh read_measured_mesh_of(const Function&, const TriangleMesh& tmesh, const NamedParameters& np)
+{
+  if constexpr (is_piecewise<Function>)
+  {
+    static_assert(!parameters::is_default_parameter<NamedParameters, internal_np::face_patch_t>::value,
+                  "a piecewise function needs face_patch_map, which tells the piece of each face");
+    return read_measured_mesh(tmesh, np, parameters::get_parameter(np, internal_np::face_patch));
+  }
+  else
+    return read_measured_mesh(tmesh, np);
 }
 
 // R / (2 r) of a triangle of three points that are not collinear: 1 for the equilateral one
