@@ -16,9 +16,11 @@
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_result.h>
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_scheme.h>
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_visitor.h>
+#include <CGAL/Anisotropic_hde_remeshing/Surface_regions.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/named_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/remesh_faces.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/type_traits.h>
+#include <CGAL/Piecewise_rbf_implicit_function.h>
 #include <CGAL/Rbf_implicit_function.h>
 
 #include <CGAL/Real_timer.h>
@@ -39,16 +41,28 @@ namespace internal {
 template <typename T>
 constexpr bool is_face_range = Is_range<std::decay_t<T>>::value;
 
-// On the smooth surface through the vertices of the whole mesh, whichever faces are remeshed. The function computes in double
-// also where the points of the mesh are exact.
+// on the zero set of the caller's function
+template <typename ConcurrencyTag, typename FaceRange, typename TriangleMesh, typename Function, typename NamedParameters>
+Remeshing_result remesh_faces_on_surface(const FaceRange& faces, TriangleMesh& tmesh, const Function& function,
+                                         const bool is_whole_mesh, const NamedParameters& np)
+{
+  static_assert(!is_given<NamedParameters, internal_np::sharp_angle_t>,
+                "sharp_angle is for the function that is built here; a piecewise function comes with its face_patch_map");
+  return remesh_faces<ConcurrencyTag>(faces, tmesh, function, is_whole_mesh, np, crease_maps<Function, TriangleMesh>(np));
+}
+
+// On the surface through the vertices of the whole mesh, whichever faces are remeshed: smooth, or smooth between creases. The
+// function computes in double also where the points of the mesh are exact.
 template <typename ConcurrencyTag, typename FaceRange, typename TriangleMesh, typename NamedParameters>
-Remeshing_result remesh_faces_on_smooth_surface(const FaceRange& faces, TriangleMesh& tmesh, const bool is_whole_mesh,
-                                                const NamedParameters& np)
+Remeshing_result remesh_faces_on_built_surface(const FaceRange& faces, TriangleMesh& tmesh, const bool is_whole_mesh,
+                                               const NamedParameters& np)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
   typedef std::decay_t<decltype(choose_parameter(get_parameter(np, internal_np::radial_function), Polyharmonic_rbf()))>
       Radial_function;
+
+  typedef Simple_cartesian<double> Kernel;
 
   check_parameters(np);
   auto visitor = choose_parameter(get_parameter(np, internal_np::visitor), Remeshing_visitor());
@@ -58,9 +72,24 @@ Remeshing_result remesh_faces_on_smooth_surface(const FaceRange& faces, Triangle
   Remeshing_result result;
   try
   {
-    const Rbf_implicit_function<Simple_cartesian<double>, Radial_function, ConcurrencyTag> function(tmesh, np);
-    const double seconds = timer.time();
-    result = remesh_faces<ConcurrencyTag>(faces, tmesh, function, is_whole_mesh, np);
+    double seconds;
+    if constexpr (is_given<NamedParameters, internal_np::sharp_angle_t>)
+    {
+      const auto edge_is_crease = get(dynamic_edge_property_t<bool>(), tmesh);
+      const auto face_region = get(dynamic_face_property_t<std::size_t>(), tmesh);
+      detect_surface_regions(tmesh, edge_is_crease, face_region, np);
+      const Piecewise_rbf_implicit_function<Kernel, Radial_function, ConcurrencyTag> function(tmesh, face_region, np);
+      seconds = timer.time();
+      typedef Crease_maps<std::decay_t<decltype(edge_is_crease)>, std::decay_t<decltype(face_region)>> Creases;
+      result = remesh_faces<ConcurrencyTag>(faces, tmesh, function, is_whole_mesh, np, Creases{edge_is_crease, face_region});
+    }
+    else
+    {
+      const Rbf_implicit_function<Kernel, Radial_function, ConcurrencyTag> function(tmesh, np);
+      seconds = timer.time();
+      result = remesh_faces<ConcurrencyTag>(faces, tmesh, function, is_whole_mesh, np,
+                                            crease_maps<decltype(function), TriangleMesh>(np));
+    }
     result.implicit_function_seconds = seconds;
   }
   catch (const Interrupted&)
@@ -82,6 +111,15 @@ of edges and smoothing of vertices. Every vertex inside the surface is put on th
 boundary, of constrained edges and of the edges between patches stay on the polylines that these edges form in the input, whose
 ends, branchings and turns of more than 60 degrees are kept; a closed polyline keeps at least 0.85 of its length.
 
+With one smooth function, sharp edges that are not constrained are rounded. A piecewise function has a smooth piece for each
+region of the surface, and keeps the edges between two regions, the creases. A face sees its vertices with the normals of its
+own region: a vertex on a crease has one normal for each region there. Creases are split, contracted and smoothed along
+themselves, at the larger of the 6D lengths on both sides; no other operation crosses them. Vertices that are new on them, or
+move, are put where the zero sets of both regions meet, if this is no further from the polyline of the input than twice the
+height of a circular arc that turns as the polyline does; else, and where the zero sets meet at less than 15 degrees, on the
+polyline. Corners, which are the ends, branchings and turns mentioned above, do not move. If there are creases, no edge comes to
+stand for a part of a curve that is anywhere further from it than 5e-5 of the diagonal of the bounding box.
+
 For any orientable manifold triangle mesh, any finite parameters and any number of threads, the call ends, and the result is valid,
 manifold and consistently oriented, with the components, boundary loops and Euler characteristic of the input. No face is folded:
 none looks against the normals at its vertices more than those before it, and there are not more edges over which two faces turn by
@@ -95,12 +133,13 @@ descriptors; if none are given, all elements are replaced: descriptors become in
 \tparam ConcurrencyTag `Sequential_tag` (the default), `Parallel_tag` or `Parallel_if_available_tag`
 \tparam TriangleMesh a model of `FaceListGraph` and `MutableFaceGraph`
 \tparam Function a model of `ImplicitFunctionWithGradient`, such as `Rbf_implicit_function` or a function of the user's own
-        with a nested type `Point_3`, `FT operator()(Point_3) const` and `Vector_3 gradient(Point_3) const`; both are called
-        concurrently unless `ConcurrencyTag` is `Sequential_tag`
+        with a nested type `Point_3`, `FT operator()(Point_3) const` and `Vector_3 gradient(Point_3) const`; or a model of
+        `PiecewiseImplicitFunction`, such as `Piecewise_rbf_implicit_function`, which needs `face_patch_map`: the patch of a
+        face is the number of its piece. All functions are called concurrently unless `ConcurrencyTag` is `Sequential_tag`.
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tmesh the mesh, an orientable manifold, possibly with boundary
-\param function the surface, whose zero set lies near the mesh
+\param function the surface, whose zero set lies near the mesh; if it is piecewise, that of each piece near its faces
 \param np optional named parameters among the ones below
 
 \cgalNamedParamsBegin
@@ -203,11 +242,12 @@ descriptors; if none are given, all elements are replaced: descriptors become in
     \cgalParamDefault{no vertex is constrained}
   \cgalParamNEnd
   \cgalParamNBegin{face_patch_map}
-    \cgalParamDescription{the patches of the faces, which the result keeps: edges between two patches are constrained. It is set
-                          for the faces of the result.}
+    \cgalParamDescription{the patches of the faces, which the result keeps: edges between two patches are constrained. With a
+                          piecewise function they are the numbers of the pieces, and edges between two of them are creases. It
+                          is set for the faces of the result.}
     \cgalParamType{a model of `ReadWritePropertyMap` with the faces of `tmesh` as keys and any values that can be compared by
-                   `==`}
-    \cgalParamDefault{all faces are in one patch}
+                   `==`; with a piecewise function, values that are convertible to `std::size_t`, too}
+    \cgalParamDefault{all faces are in one patch; a piecewise function needs it}
   \cgalParamNEnd
   \cgalParamNBegin{protect_constraints}
     \cgalParamDescription{whether boundary edges, constrained edges and edges between patches stay as they are, too}
@@ -243,7 +283,10 @@ descriptors; if none are given, all elements are replaced: descriptors become in
 \return what was done, and the parameters that were chosen
 
 \throw std::invalid_argument if `tmesh` has no faces, a face that is not a triangle, a vertex that is not manifold, or
-       coordinates that are not finite, or if a parameter is out of its range; the message names it and its value
+       coordinates that are not finite, if `function` is piecewise and the patch of a face is not the number of a piece, or if a
+       parameter is out of its range; the message names it and its value
+
+\sa `Anisotropic_hde_remeshing::detect_surface_regions()`
 */
 template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename Function,
           typename NamedParameters = parameters::Default_named_parameters,
@@ -251,7 +294,7 @@ template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typen
 Anisotropic_hde_remeshing::Remeshing_result anisotropic_hde_remeshing(TriangleMesh& tmesh, const Function& function,
                                                                       const NamedParameters& np = parameters::default_values())
 {
-  return Anisotropic_hde_remeshing::internal::remesh_faces<ConcurrencyTag>(faces(tmesh), tmesh, function, true, np);
+  return Anisotropic_hde_remeshing::internal::remesh_faces_on_surface<ConcurrencyTag>(faces(tmesh), tmesh, function, true, np);
 }
 
 /*!
@@ -260,12 +303,29 @@ Anisotropic_hde_remeshing::Remeshing_result anisotropic_hde_remeshing(TriangleMe
 the same on the smooth surface that `Rbf_implicit_function` lays through the vertices of the mesh. Its named parameters may be
 given, too: `number_of_patches`, `patch_overlap`, `offset_distance`, `vertex_normal_map`, and `radial_function`, whose type
 selects the kernel.
+
+With `sharp_angle`, the surface is smooth between its creases only. They are found by
+`Anisotropic_hde_remeshing::detect_surface_regions()`, and the surface is that of `Piecewise_rbf_implicit_function`, which does
+not use `vertex_normal_map`.
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{sharp_angle}
+    \cgalParamDescription{the least angle between the normals of two faces, in degrees, at which their edge is a crease; noise
+                          is dropped. The edges of `edge_is_constrained_map` and those between two patches of `face_patch_map`
+                          are creases, too, whatever their angle; in the end, the first map is set for the edges on all creases,
+                          the second one keeps the patches. For machine parts 20 to 40 are good.}
+    \cgalParamType{a number of more than 0 and less than 180}
+    \cgalParamDefault{the surface is smooth everywhere}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\throw std::invalid_argument as above, and if a parameter of the function or `sharp_angle` is out of its range
 */
 template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename T, typename Tag, typename Base>
 Anisotropic_hde_remeshing::Remeshing_result anisotropic_hde_remeshing(TriangleMesh& tmesh,
                                                                       const Named_function_parameters<T, Tag, Base>& np)
 {
-  return Anisotropic_hde_remeshing::internal::remesh_faces_on_smooth_surface<ConcurrencyTag>(faces(tmesh), tmesh, true, np);
+  return Anisotropic_hde_remeshing::internal::remesh_faces_on_built_surface<ConcurrencyTag>(faces(tmesh), tmesh, true, np);
 }
 
 /*!
@@ -294,20 +354,21 @@ Anisotropic_hde_remeshing::Remeshing_result anisotropic_hde_remeshing(const Face
                                                                       const Function& function,
                                                                       const NamedParameters& np = parameters::default_values())
 {
-  return Anisotropic_hde_remeshing::internal::remesh_faces<ConcurrencyTag>(faces, tmesh, function, false, np);
+  return Anisotropic_hde_remeshing::internal::remesh_faces_on_surface<ConcurrencyTag>(faces, tmesh, function, false, np);
 }
 
 /*!
 \ingroup PkgAnisotropicHdeRemeshingRef
 
-remeshes some faces of a mesh only, on the smooth surface that `Rbf_implicit_function` lays through the vertices of all of it.
+remeshes some faces of a mesh only, on the smooth surface that `Rbf_implicit_function` lays through the vertices of all of it,
+or, with `sharp_angle`, on that of `Piecewise_rbf_implicit_function` for the regions of all of it.
 */
 template <typename ConcurrencyTag = Sequential_tag, typename FaceRange, typename TriangleMesh, typename T, typename Tag,
           typename Base, typename = std::enable_if_t<Anisotropic_hde_remeshing::internal::is_face_range<FaceRange>>>
 Anisotropic_hde_remeshing::Remeshing_result anisotropic_hde_remeshing(const FaceRange& faces, TriangleMesh& tmesh,
                                                                       const Named_function_parameters<T, Tag, Base>& np)
 {
-  return Anisotropic_hde_remeshing::internal::remesh_faces_on_smooth_surface<ConcurrencyTag>(faces, tmesh, false, np);
+  return Anisotropic_hde_remeshing::internal::remesh_faces_on_built_surface<ConcurrencyTag>(faces, tmesh, false, np);
 }
 
 } // namespace CGAL

@@ -142,7 +142,7 @@ Projection_figures project_centres(const Function& f, const Mesh& mesh, const Fa
   {
     internal::Vertex_state state;
     state.point = internal::to_vector(faces[i].centre);
-    projection.project(state, 2 * faces[i].edge_length);
+    projection.project(state, 0, 2 * faces[i].edge_length);
     const Point_3 p(state.point[0], state.point[1], state.point[2]);
     const bool is_closest_point = projection.counters().closest_point > result.by_closest_point;
     ++result.number;

@@ -62,7 +62,7 @@ void test_moves()
   // without it the second does, and without that the first. One elsewhere moves a little, and one is not chosen.
   internal::Simultaneous_moves<Working_mesh> moves(mesh);
   moves.propose<ConcurrencyTag>([&](const Vertex_index v) { return v != at(6, 6); },
-                                [&](const Vertex_index v, Vertex& state)
+                                [&](const Vertex_index v, Vertex& state, Working_mesh::Sides&)
                                 {
                                   for (const int x : {1, 2, 3})
                                     if (v == at(x, 3))
@@ -82,7 +82,7 @@ void test_moves()
   // all together they fold nothing
   internal::Simultaneous_moves<Working_mesh> shift(mesh);
   shift.propose<ConcurrencyTag>([](Vertex_index) { return true; },
-                                [](Vertex_index, Vertex& state)
+                                [](Vertex_index, Vertex& state, Working_mesh::Sides&)
                                 {
                                   state.point[0] += 2;
                                   return true;
@@ -95,7 +95,7 @@ void test_moves()
   {
     internal::Simultaneous_moves<Working_mesh> meeting(mesh);
     meeting.propose<ConcurrencyTag>([&](const Vertex_index v) { return v == at(3, 3) || v == at(4, 3) || v == at(6, 6); },
-                                    [](Vertex_index, Vertex& state)
+                                    [](Vertex_index, Vertex& state, Working_mesh::Sides&)
                                     {
                                       state.point[0] = state.point[0] < 5 ? 3.5 : 6.25;
                                       return true;

@@ -13,7 +13,8 @@
 #include "shapes.h"
 
 #include <CGAL/Anisotropic_hde_remeshing/Normal_embedding.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Deviation_guard.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Mesh_intersections.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Operation_guard.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Surface_projection.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/collapse_edges.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/flip_edges.h>
@@ -35,20 +36,21 @@ typedef CGAL::Parallel_if_available_tag Tag;
 typedef Hde::Normal_embedding Embedding;
 typedef internal::Working_mesh<Embedding::Vertex_data> Working_mesh;
 typedef internal::Surface_projection<Ellipsoid_function> Projection;
-typedef internal::Deviation_guard<Ellipsoid_function> Guard;
+typedef internal::No_intersections Intersections;
+typedef internal::Operation_guard<Working_mesh, Ellipsoid_function, Intersections> Guard;
 
 // An ellipsoid as the remesher sees it, with the length that its edges would have if they were uniform.
 class Scene
 {
 public:
-  Scene() : m_input({}, {}), m_projection(m_function, m_input, 1e-9), m_guard(m_function, 1), m_curves(m_no_mesh)
+  Scene() : m_input({}, {}), m_projection(m_function, m_input, 1e-9), m_curves(m_no_mesh)
   {
     const Mesh input = ellipsoid(6);
     for (const auto v : input.vertices())
     {
       Working_mesh::Vertex state;
       state.point = internal::to_vector(input.point(v));
-      m_projection.project(state, 1);
+      m_projection.project(state, 0, 1);
       m_vertices.push_back(state);
     }
     for (const auto f : input.faces())
@@ -76,30 +78,39 @@ public:
 
   void split(Working_mesh& mesh)
   {
-    internal::Edge_splitter<Tag, Embedding, Projection>(mesh, m_embedding, m_projection, m_curves, m_never)(4. / 3 * m_length);
+    const Guard guard = guard_of(mesh);
+    internal::Edge_splitter<Tag, Embedding, Projection, Guard>(mesh, m_embedding, m_projection, m_curves, guard,
+                                                               m_never)(4. / 3 * m_length);
   }
 
   void collapse(Working_mesh& mesh)
   {
-    internal::Edge_collapser<Tag, Embedding, Guard>(mesh, m_embedding, m_guard, m_never)(0.8 * m_length, 4. / 3 * m_length);
+    const Guard guard = guard_of(mesh);
+    internal::Edge_collapser<Tag, Embedding, Guard>(mesh, m_embedding, m_curves, guard, m_never)(0.8 * m_length,
+                                                                                                 4. / 3 * m_length);
   }
 
   void flip(Working_mesh& mesh, const internal::Flip_criterion criterion)
   {
-    internal::Edge_flipper<Tag, Embedding, Guard>(mesh, m_embedding, m_guard, m_never)(criterion);
+    const Guard guard = guard_of(mesh);
+    internal::Edge_flipper<Tag, Embedding, Guard>(mesh, m_embedding, guard, m_never)(criterion);
   }
 
   void smooth(Working_mesh& mesh, const internal::Smoothing_step kind)
   {
-    internal::Vertex_smoother<Tag, Embedding, Projection>(mesh, m_embedding, m_projection, m_curves, m_never)(1, kind);
+    const Guard guard = guard_of(mesh);
+    internal::Vertex_smoother<Tag, Embedding, Projection, Guard>(mesh, m_embedding, m_projection, m_curves, guard,
+                                                                 m_never)(1, kind);
   }
 
 private:
+  Guard guard_of(const Working_mesh& mesh) { return Guard(mesh, m_function, 1, m_intersections); }
+
   const Ellipsoid_function m_function;
   const internal::Input_surface m_input;
   const Embedding m_embedding{1.6};
   Projection m_projection;
-  Guard m_guard;
+  Intersections m_intersections;
   Working_mesh m_no_mesh;
   internal::Curve_network m_curves;
   internal::Interruption m_never;

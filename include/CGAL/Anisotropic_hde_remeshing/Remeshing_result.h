@@ -38,6 +38,16 @@ enum class Target
 
 /// \ingroup PkgAnisotropicHdeRemeshingRef
 ///
+/// the feature curves of a mesh: its creases, boundaries and constrained edges
+struct Feature_curves
+{
+  std::size_t number_of_curves = 0;  ///< from corner to corner, or closed
+  std::size_t number_of_corners = 0; ///< vertices on them that stay where they are
+  double length = 0;                 ///< of all together, in the unit of the mesh
+};
+
+/// \ingroup PkgAnisotropicHdeRemeshingRef
+///
 /// what `CGAL::anisotropic_hde_remeshing()` did, and with which parameters where it chose them itself
 struct Remeshing_result
 {
@@ -52,6 +62,8 @@ struct Remeshing_result
   std::size_t number_of_splits = 0;
   std::size_t number_of_collapses = 0;
   std::size_t number_of_flips = 0;
+  std::size_t number_of_regions = 0;           ///< between creases, each smooth: one, unless the function is piecewise
+  Feature_curves curves_before, curves_after;  ///< in the input and in the result
   std::size_t number_of_isolated_vertices = 0; ///< isolated vertices of the input, which the result does not have
   /// vertices that are near the surface only, because the last way to it would have folded a face, or let it intersect another
   /// one if these are tested

@@ -150,7 +150,7 @@ private:
     {
       Mesh::Vertex state;
       state.point = p;
-      m_projection.update_normal(state);
+      m_projection.update_normal(state, 0);
       m_mesh.add_vertex(state);
     }
     for (const auto& t : soup.triangles)
@@ -251,7 +251,7 @@ private:
   const Guard m_guard{m_mesh, m_projection.function(), 1, m_intersections};
   const internal::Edge_splitter<Tag, Embedding, Projection, Guard> m_split{m_mesh,   m_embedding, m_projection,
                                                                            m_curves, m_guard,     m_never};
-  const internal::Edge_collapser<Tag, Embedding, Guard> m_collapse{m_mesh, m_embedding, m_guard, m_never};
+  const internal::Edge_collapser<Tag, Embedding, Guard> m_collapse{m_mesh, m_embedding, m_curves, m_guard, m_never};
   const internal::Edge_flipper<Tag, Embedding, Guard> m_flip{m_mesh, m_embedding, m_guard, m_never};
   internal::Vertex_smoother<Tag, Embedding, Projection, Guard> m_smooth{m_mesh,   m_embedding, m_projection,
                                                                         m_curves, m_guard,     m_never};

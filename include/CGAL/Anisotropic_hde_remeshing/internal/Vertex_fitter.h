@@ -14,6 +14,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/Closest_facet.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/Surface_distance.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/pieces.h>
 
 #include <Eigen/Core>
 #include <Eigen/IterativeLinearSolvers>
@@ -36,6 +37,8 @@ namespace internal {
 template <typename ConcurrencyTag, typename Function>
 class Vertex_fitter
 {
+  typedef Surface_distance<Piece_of<Function>> Distance;
+
   static constexpr int number_of_rounds = 2;
   // of the longest edge of a face: what is further away does not belong to it
   static constexpr double largest_distance = 0.5;
@@ -58,18 +61,22 @@ class Vertex_fitter
 
 public:
   // `unit` of the coordinates, in that of the function
-  Vertex_fitter(const Function& function, const double unit = 1) : m_distance(function, unit) {}
+  Vertex_fitter(const Function& function, const double unit = 1)
+  {
+    for (std::size_t i = 0; i < number_of_pieces(function); ++i)
+      m_distances.emplace_back(piece(function, Region(i)), unit);
+  }
 
-  // moves the points whose vertices are free; `normals` has unit vectors, for the vertices that are
+  // moves the points whose vertices are free; `normals` has unit vectors, for the vertices that are; `regions` of the facets
   void operator()(std::vector<Vector>& points, const std::vector<Vector>& normals, const std::vector<char>& is_free,
-                  const std::vector<Facet>& facets) const
+                  const std::vector<Facet>& facets, const std::vector<Region>& regions) const
   {
     const std::vector<double> bounds = bounds_of_offsets(points, facets);
     std::vector<double> offsets(points.size(), 0.);
     const std::vector<Vector> start = points;
     for (int round = 0; round < number_of_rounds; ++round)
     {
-      const std::vector<double> change = solve(points, normals, is_free, facets);
+      const std::vector<double> change = solve(points, normals, is_free, facets, regions);
       for (std::size_t i = 0; i < points.size(); ++i)
       {
         offsets[i] = (std::min)((std::max)(offsets[i] + change[i], -bounds[i]), bounds[i]);
@@ -101,7 +108,8 @@ private:
     Eigen::Vector3d right = Eigen::Vector3d::Zero();
   };
 
-  Contribution contribution(const std::vector<Vector>& points, const std::vector<Vector>& normals, const Facet& facet) const
+  Contribution contribution(const std::vector<Vector>& points, const std::vector<Vector>& normals, const Facet& facet,
+                            const Distance& distance) const
   {
     const Vector &a = points[facet[0]], &b = points[facet[1]], &c = points[facet[2]];
     const double area = 0.5 * (b - a).cross(c - a).norm();
@@ -110,7 +118,7 @@ private:
     for (const Node& node : quadrature())
     {
       const auto at =
-          m_distance(node.barycentric[0] * a + node.barycentric[1] * b + node.barycentric[2] * c, largest_distance * longest);
+          distance(node.barycentric[0] * a + node.barycentric[1] * b + node.barycentric[2] * c, largest_distance * longest);
       if (!std::isfinite(at.distance))
         continue;
       Eigen::Vector3d row;
@@ -124,11 +132,13 @@ private:
 
   // the offsets from where the vertices are
   std::vector<double> solve(const std::vector<Vector>& points, const std::vector<Vector>& normals,
-                            const std::vector<char>& is_free, const std::vector<Facet>& facets) const
+                            const std::vector<char>& is_free, const std::vector<Facet>& facets,
+                            const std::vector<Region>& regions) const
   {
     std::vector<Contribution> contributions(facets.size());
     parallel_for<ConcurrencyTag>(
-        facets.size(), [&](const std::size_t f) { contributions[f] = contribution(points, normals, facets[f]); }, 16);
+        facets.size(),
+        [&](const std::size_t f) { contributions[f] = contribution(points, normals, facets[f], m_distances[regions[f]]); }, 16);
 
     std::vector<int> unknowns(points.size(), -1);
     int number_of_unknowns = 0;
@@ -162,7 +172,7 @@ private:
     return offsets;
   }
 
-  const Surface_distance<Function> m_distance;
+  std::vector<Distance> m_distances; // by region
 };
 
 } // namespace internal

@@ -12,11 +12,14 @@
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
 #include <CGAL/Anisotropic_hde_remeshing/internal/Surface_distance.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/pieces.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Working_mesh.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <vector>
 
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
@@ -29,24 +32,29 @@ class Deviation_guard
 {
 public:
   // `unit` of the coordinates, in that of the function
-  Deviation_guard(const Function& function, const double unit) : m_distance(function, unit) {}
+  Deviation_guard(const Function& function, const double unit)
+  {
+    for (std::size_t i = 0; i < number_of_pieces(function); ++i)
+      m_distances.emplace_back(piece(function, Region(i)), unit);
+  }
 
   // before, it accepts all
   void set_largest_distance(const double distance) { m_largest = distance; }
 
   bool is_active() const { return std::isfinite(m_largest); }
 
-  bool accepts(const Vertex_state& a, const Vertex_state& b, const Vertex_state& c) const
+  bool accepts(const Vertex_state& a, const Vertex_state& b, const Vertex_state& c, const Region region) const
   {
     if (!is_active() || a.is_on_curve || b.is_on_curve || c.is_on_curve)
       return true; // curves need not lie on the surface
     const double reach = std::sqrt(
         (std::max)({(b.point - a.point).squaredNorm(), (c.point - b.point).squaredNorm(), (a.point - c.point).squaredNorm()}));
-    return std::abs(m_distance((a.point + b.point + c.point) / 3, reach).distance) <= m_largest; // not if there is none
+    const Surface_distance<Piece_of<Function>>& distance = m_distances[region];
+    return std::abs(distance((a.point + b.point + c.point) / 3, reach).distance) <= m_largest; // not if there is none
   }
 
 private:
-  const Surface_distance<Function> m_distance;
+  std::vector<Surface_distance<Piece_of<Function>>> m_distances; // by region
   double m_largest = (std::numeric_limits<double>::infinity)();
 };
 

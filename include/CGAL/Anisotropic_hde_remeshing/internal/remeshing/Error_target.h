@@ -46,8 +46,10 @@ class Error_target
 public:
   Error_target(const Mesh& mesh, const Function& function, const Input_surface& input, const double unit, const double error,
                Interruption& interruption)
-    : m_mesh(mesh), m_to_input{input}, m_bound(function, unit, m_to_input), m_error(error), m_interruption(interruption)
+    : m_mesh(mesh), m_to_input{input}, m_error(error), m_interruption(interruption)
   {
+    for (std::size_t i = 0; i < number_of_pieces(function); ++i)
+      m_bounds.emplace_back(piece(function, Region(i)), unit, m_to_input);
   }
   Error_target(const Error_target&) = delete;
 
@@ -56,17 +58,25 @@ public:
   double first_number_of_faces() const
   {
     static constexpr double g = 0.3849002;
-    std::vector<double> areas(vertex_capacity(m_mesh), 0.); // a third of the faces around each vertex
-    for (const Face_index f : m_mesh.faces())
-    {
-      const Triangle t(m_mesh.halfedge(f), m_mesh);
-      const double area = 0.5 * (point(t.b) - point(t.a)).cross(point(t.c) - point(t.a)).norm();
-      for (const Vertex_index v : {t.a, t.b, t.c})
-        areas[v] += area / 3;
-    }
     double integral = 0;
     for (const Vertex_index v : m_mesh.vertices())
-      integral += areas[v] * g * std::sqrt(std::abs(shape_operator_at(v, m_mesh).determinant()));
+    {
+      // a third of the faces around the vertex, in one of its regions after the other
+      Region last = 0;
+      double curvature = 0;
+      bool is_first = true;
+      for (const Halfedge_index h : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
+      {
+        if (m_mesh.is_border(h))
+          continue;
+        if (is_first || m_mesh.region(h) != last)
+          curvature = std::sqrt(std::abs(shape_operator_at(h, m_mesh).determinant()));
+        is_first = false;
+        last = m_mesh.region(h);
+        const Triangle t(h, m_mesh);
+        integral += (point(t.b) - point(t.a)).cross(point(t.c) - point(t.a)).norm() / 6 * g * curvature;
+      }
+    }
     return first_ratio_to_bound * integral / m_error;
   }
 
@@ -81,7 +91,7 @@ public:
         {
           const Triangle t(m_mesh.halfedge(faces[i]), m_mesh);
           if (!is_on_curve(t))
-            errors[i] = m_bound.estimate(point(t.a), point(t.b), point(t.c));
+            errors[i] = bound_in_region(faces[i]).estimate(point(t.a), point(t.b), point(t.c));
         },
         16, m_interruption);
     const std::size_t rank = std::size_t((1 - share_refined_in_the_end) * double(errors.size() - 1));
@@ -125,12 +135,22 @@ public:
   double largest_bound() const { return m_largest_bound; }
 
 private:
+  // where the function leads nowhere, the input is the surface, as for the projection
+  struct Distance_to_input
+  {
+    const Input_surface& input;
+    double operator()(const Vector& p) const { return input.empty() ? 0. : (input.closest(p).point - p).norm(); }
+  };
+  typedef Deviation_bound<Piece_of<Function>, Distance_to_input> Bound;
+
   struct Record
   {
     std::array<Vertex_index, 3> vertices; // of the face when it was looked at
     double bound = 0;                     // 0 on curves
     int attempts = 0;                     // how often it has failed with these vertices; 0: it has passed, or is hopeless
   };
+
+  const Bound& bound_in_region(const Face_index f) const { return m_bounds[m_mesh.region(m_mesh.halfedge(f))]; }
 
   const Vector& point(const Vertex_index v) const { return m_mesh.point(v).point; }
 
@@ -151,25 +171,19 @@ private:
       return;
     }
     const double reach = (point(t.a) - point(t.b)).norm() + (point(t.b) - point(t.c)).norm();
+    const Bound& bound_of = bound_in_region(f);
     double allowed = m_error;
     for (const Vertex_index v : vertices)
       if (m_mesh.point(v).is_on_curve)
-        allowed = (std::max)(allowed, m_error + m_bound.distance(point(v), reach));
-    const double bound = m_bound(point(t.a), point(t.b), point(t.c), allowed);
+        allowed = (std::max)(allowed, m_error + bound_of.distance(point(v), reach));
+    const double bound = bound_of(point(t.a), point(t.b), point(t.c), allowed);
     const bool is_hopeless = reach <= smallest_face * m_error;
     record = Record{vertices, is_on_curve(t) ? 0. : bound, bound <= allowed || is_hopeless ? 0 : 1};
   }
 
-  // where the function leads nowhere, the input is the surface, as for the projection
-  struct Distance_to_input
-  {
-    const Input_surface& input;
-    double operator()(const Vector& p) const { return input.empty() ? 0. : (input.closest(p).point - p).norm(); }
-  };
-
   const Mesh& m_mesh;
   const Distance_to_input m_to_input;
-  const Deviation_bound<Function, Distance_to_input> m_bound;
+  std::vector<Bound> m_bounds; // by region
   const double m_error;
   Interruption& m_interruption;
   std::vector<Record> m_records; // by face

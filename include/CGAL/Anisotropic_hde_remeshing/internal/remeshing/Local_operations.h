@@ -35,7 +35,7 @@ public:
   Local_operations(Mesh& mesh, const Embedding& embedding, const Projection& projection, const Curve_network& curves,
                    const Guard& guard, Interruption& interruption, Remeshing_result& result)
     : m_split(mesh, embedding, projection, curves, guard, interruption),
-      m_collapse(mesh, embedding, guard, interruption),
+      m_collapse(mesh, embedding, curves, guard, interruption),
       m_flip(mesh, embedding, guard, interruption),
       m_smooth(mesh, embedding, projection, curves, guard, interruption),
       m_result(result)

@@ -45,10 +45,13 @@ public:
 
   bool accepts_distance(const Change& change) const
   {
-    if (m_deviation.is_active())
-      for (const auto& face : change.new_faces())
-        if (!m_deviation.accepts(*face[0].state, *face[1].state, *face[2].state))
-          return false;
+    if (!m_deviation.is_active())
+      return true;
+    // all faces are in one region, or new ones touch its curve
+    const Region region = m_mesh.region(m_mesh.halfedge(change.old_faces().front()));
+    for (const auto& face : change.new_faces())
+      if (!m_deviation.accepts(*face[0].state, *face[1].state, *face[2].state, region))
+        return false;
     return true;
   }
 

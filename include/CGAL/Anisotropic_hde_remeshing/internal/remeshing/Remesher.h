@@ -72,6 +72,9 @@ class Remesher
   static constexpr double first_length_factor = 1.05;
   static constexpr double feedback = 0.25;
   static constexpr double largest_feedback_ratio = 1.3;
+  // Where creases keep more vertices than there shall be, the rest of the mesh is not given up for them: the length stays near that
+  // which the area asks for, and contractions that only serve the number of faces are left out from this ratio of the numbers on.
+  static constexpr double largest_length_factor_with_creases = 1.2, largest_ratio_with_creases = 1.1;
   // contractions that only serve the number of faces may make longer edges while the mesh settles
   static constexpr double longest_of_settling = 1.4;
 
@@ -84,12 +87,13 @@ public:
       m_projection(projection),
       m_parameters(parameters),
       m_diagonal(diagonal),
+      m_has_creases(curves.bounds_deviation()),
       m_visitor(visitor),
       m_interruption(interruption),
       m_result(result),
       m_guard(mesh, projection.function(), projection.unit(), intersections),
       m_operations(mesh, embedding, projection, curves, m_guard, interruption, result),
-      m_projector(mesh, embedding, projection, m_guard, result)
+      m_projector(mesh, embedding, projection, curves, m_guard, result)
   {
   }
 
@@ -222,8 +226,7 @@ private:
       std::array<std::pair<double, Edge_index>, 3> sides;
       std::size_t k = 0;
       for (const Halfedge_index h : m_mesh.halfedges_around_face(m_mesh.halfedge(failing.face)))
-        sides[k++] = {-m_embedding.squared_length(m_mesh.point(m_mesh.source(h)), m_mesh.point(m_mesh.target(h))),
-                      m_mesh.edge(h)};
+        sides[k++] = {-squared_length(m_mesh.edge(h), m_mesh, m_embedding), m_mesh.edge(h)};
       std::sort(sides.begin(), sides.end());
       edges.push_back(sides[std::size_t(failing.attempt % 3)].second);
     }
@@ -337,6 +340,10 @@ private:
     const double ratio = double(m_mesh.number_of_faces()) / number_of_faces;
     if (!is_settling())
       m_length_factor *= std::pow((std::min)((std::max)(ratio, 1 / largest_feedback_ratio), largest_feedback_ratio), feedback);
+    if (m_has_creases)
+      m_length_factor = (std::min)(m_length_factor, largest_length_factor_with_creases);
+    if (m_has_creases && ratio > largest_ratio_with_creases)
+      return;
     const double longest = is_settling() ? longest_of_settling : m_parameters.split_ratio;
     // where the mesh is very regular, the guards refuse most of the edges: the bounds are widened while it settles
     for (const double factor : {1., 1.15, 1.3})
@@ -363,6 +370,7 @@ private:
   const Projection& m_projection;
   const Remeshing_parameters m_parameters;
   const double m_diagonal; // of the mesh
+  const bool m_has_creases;
   Visitor& m_visitor;
   Interruption& m_interruption;
   Remeshing_result& m_result;

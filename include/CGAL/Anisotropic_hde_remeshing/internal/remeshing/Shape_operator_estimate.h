@@ -62,16 +62,18 @@ private:
   Eigen::Vector3d m_right = Eigen::Vector3d::Zero();
 };
 
-// in tangent_frame() of the normal of the vertex
+// as the face of `in` sees it, which ends at the vertex, by the neighbours in its region; in tangent_frame() of the normal there
 template <typename Mesh>
-Eigen::Matrix2d shape_operator_at(const Vertex_index v, const Mesh& mesh)
+Eigen::Matrix2d shape_operator_at(const Halfedge_index in, const Mesh& mesh)
 {
-  const auto& center = mesh.point(v);
+  const auto& center = mesh.state(mesh.target(in), in);
   const Tangent_frame frame = tangent_frame(center.normal);
   Shape_operator_estimate estimate;
-  for (const Halfedge_index h : mesh.halfedges_around_target(mesh.halfedge(v)))
+  for (const Halfedge_index h : mesh.halfedges_around_target(in))
   {
-    const auto& neighbor = mesh.point(mesh.source(h));
+    if (center.is_on_crease && mesh.region(h) != mesh.region(in) && mesh.region(mesh.opposite(h)) != mesh.region(in))
+      continue;
+    const auto& neighbor = mesh.state(mesh.source(h), in);
     estimate.add_neighbor(frame.transpose() * (neighbor.point - center.point),
                           frame.transpose() * (neighbor.normal - center.normal));
   }

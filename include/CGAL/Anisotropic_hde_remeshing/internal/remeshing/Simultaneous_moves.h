@@ -37,6 +37,7 @@ template <typename Mesh>
 class Simultaneous_moves
 {
   typedef typename Mesh::Vertex Vertex;
+  typedef typename Mesh::Sides Sides;
 
   static constexpr double flat_cosine = 0.82, flat_cosine_of_normals = 0.5;
 
@@ -47,11 +48,12 @@ public:
   void clear()
   {
     m_states.resize(vertex_capacity(m_mesh));
+    m_sides.resize(vertex_capacity(m_mesh));
     m_is_moved.assign(vertex_capacity(m_mesh), 0);
   }
 
-  // Asks `propose(vertex, state)` of every vertex for which `is_chosen(vertex)`, concurrently, whether it moves and whereto:
-  // `state` comes as it is in the mesh, which does not change meanwhile.
+  // Asks `propose(vertex, state, sides)` of every vertex for which `is_chosen(vertex)`, concurrently, whether it moves and whereto:
+  // `state`, and on a crease `sides`, come as they are in the mesh, which does not change meanwhile.
   template <typename ConcurrencyTag, typename IsChosen, typename Propose>
   void propose(const IsChosen& is_chosen, const Propose& propose, Interruption& interruption)
   {
@@ -63,14 +65,27 @@ public:
           if (m_mesh.is_removed(v) || !is_chosen(v))
             return;
           m_states[i] = m_mesh.point(v);
-          m_is_moved[i] = propose(v, m_states[i]);
+          if (m_states[i].is_on_crease)
+            m_sides[i] = m_mesh.sides(v);
+          else
+            m_sides[i].clear();
+          m_is_moved[i] = propose(v, m_states[i], m_sides[i]);
         },
         64, interruption);
   }
 
   bool is_moved(const Vertex_index v) const { return m_is_moved[v]; }
 
+  // where the vertex will be
   const Vertex& state(const Vertex_index v) const { return m_is_moved[v] ? m_states[v] : m_mesh.point(v); }
+
+  // as the face of h will see it
+  const Vertex& state(const Vertex_index v, const Halfedge_index h) const
+  {
+    if (!m_is_moved[v])
+      return m_mesh.state(v, h);
+    return m_states[v].is_on_crease ? Mesh::side(m_sides[v], m_mesh.region(h)) : m_states[v];
+  }
 
   // Takes back the moves of the vertices of folded faces, and then of those that this has folded, until there are none: each
   // round takes back at least one move. Returns how many moves it took back.
@@ -104,8 +119,12 @@ public:
     parallel_for<ConcurrencyTag>(m_states.size(),
                                  [&](const std::size_t i)
                                  {
-                                   if (m_is_moved[i])
-                                     mesh.point(Vertex_index(static_cast<Vertex_index::size_type>(i))) = m_states[i];
+                                   if (!m_is_moved[i])
+                                     return;
+                                   const Vertex_index v(static_cast<Vertex_index::size_type>(i));
+                                   mesh.point(v) = m_states[i];
+                                   if (m_states[i].is_on_crease)
+                                     mesh.sides(v) = m_sides[i];
                                  });
   }
 
@@ -180,23 +199,25 @@ private:
       return false;
     }
     if (test == Fold_test::NORMALS_AND_EDGES)
-      return folds_over_normals(t, shape);
+      return folds_over_normals(t, h, shape);
     return moved_normal(h).isZero(0) && !face_normal(h, m_mesh).isZero(0);
   }
 
   // Whether the moves fold the face over the normals of its vertices. It is flat if it could not even fold over an edge with
   // another flat one: with three normals within 60 degrees, their sum is within 35.3 degrees of that of two of them, and the face
-  // within 34.9 degrees of it. On both sides of an edge that is less than 141 degrees.
-  bool folds_over_normals(const Triangle& t, char& shape) const
+  // within 34.9 degrees of it. On both sides of an edge that is less than 141 degrees; not so over a crease, where the faces have
+  // different normals.
+  bool folds_over_normals(const Triangle& t, const Halfedge_index h, char& shape) const
   {
-    const Vertex &a = state(t.a), &b = state(t.b), &c = state(t.c);
+    const Vertex &a = state(t.a, h), &b = state(t.b, h), &c = state(t.c, h);
     const double after = Face_guard::quality(a, b, c);
-    if (after > flat_cosine &&
+    if (after > flat_cosine && !a.is_on_crease && !b.is_on_crease && !c.is_on_crease &&
         (std::min)({a.normal.dot(b.normal), b.normal.dot(c.normal), c.normal.dot(a.normal)}) > flat_cosine_of_normals)
       shape = FLAT;
     if (after >= Face_guard::smallest_cosine)
       return false;
-    return !Face_guard::accepts(after, Face_guard::quality(m_mesh.point(t.a), m_mesh.point(t.b), m_mesh.point(t.c)));
+    const Corners<Mesh> before(t, h, m_mesh);
+    return !Face_guard::accepts(after, Face_guard::quality(before.a, before.b, before.c));
   }
 
   // whether the moves fold the edge of h, which is not on the border
@@ -231,6 +252,7 @@ private:
 
   const Mesh& m_mesh;
   std::vector<Vertex> m_states;
+  std::vector<Sides> m_sides;
   std::vector<char> m_is_moved;
 };
 

@@ -75,10 +75,9 @@ private:
   template <typename Mesh, typename Embedding>
   static double area_of_face(const Face_index f, const Mesh& mesh, const Embedding& embedding)
   {
-    const Triangle t(mesh.halfedge(f), mesh);
-    const auto &a = mesh.point(t.a), &b = mesh.point(t.b), &c = mesh.point(t.c);
-    return Embedded_triangle::area(embedding.squared_length(a, b), embedding.squared_length(b, c),
-                                   embedding.squared_length(c, a));
+    const Corners<Mesh> t(mesh.halfedge(f), mesh);
+    return Embedded_triangle::area(embedding.squared_length(t.a, t.b), embedding.squared_length(t.b, t.c),
+                                   embedding.squared_length(t.c, t.a));
   }
 
   double m_length;

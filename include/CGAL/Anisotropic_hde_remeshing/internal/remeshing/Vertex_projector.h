@@ -14,6 +14,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_result.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/Interruption.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/Vertex_fitter.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Curve_placement.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Simultaneous_moves.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Working_mesh.h>
 
@@ -35,9 +36,14 @@ class Vertex_projector
   typedef Simultaneous_moves<Mesh> Moves;
 
 public:
-  Vertex_projector(Mesh& mesh, const Embedding& embedding, const Projection& projection, const Guard& guard,
-                   Remeshing_result& result)
-    : m_mesh(mesh), m_embedding(embedding), m_projection(projection), m_guard(guard), m_result(result)
+  Vertex_projector(Mesh& mesh, const Embedding& embedding, const Projection& projection, const Curve_network& curves,
+                   const Guard& guard, Remeshing_result& result)
+    : m_mesh(mesh),
+      m_embedding(embedding),
+      m_projection(projection),
+      m_placement(embedding, projection, curves),
+      m_guard(guard),
+      m_result(result)
   {
   }
 
@@ -51,8 +57,7 @@ public:
     for (const Vertex_index v : m_mesh.vertices())
       if (!moves.is_moved(v))
       {
-        m_projection.update_normal(m_mesh.point(v));
-        m_embedding.place(m_mesh.point(v));
+        m_placement.update(m_mesh.point(v), region(v), m_mesh.sides(v));
         if (!m_mesh.point(v).is_on_curve && !m_mesh.point(v).is_fixed)
           m_mesh.point(v).set_predicted();
       }
@@ -70,7 +75,7 @@ public:
     moves.template accept<ConcurrencyTag>(m_mesh);
     for (const Vertex_index v : m_mesh.vertices())
       if (is_chosen(v) && !moves.is_moved(v) && !m_mesh.point(v).is_on_curve && !m_mesh.point(v).is_fixed &&
-          !m_projection.is_on_surface(m_mesh.point(v)))
+          !m_projection.is_on_surface(m_mesh.point(v), region(v)))
         ++m_result.number_of_unprojected_vertices;
   }
 
@@ -86,20 +91,22 @@ public:
     {
       const Vertex& vertex = m_mesh.point(v);
       points[v] = vertex.point;
-      normals[v] = m_projection.orientation() * vertex.normal;
+      normals[v] = m_projection.orientation(region(v)) * vertex.normal;
       is_free[v] = !vertex.is_on_curve && !vertex.is_fixed;
     }
     std::vector<Facet> facets;
+    std::vector<Region> regions;
     for (const Face_index f : m_mesh.faces())
     {
       const Triangle t(m_mesh.halfedge(f), m_mesh);
       facets.push_back(Facet{t.a, t.b, t.c});
+      regions.push_back(m_mesh.region(m_mesh.halfedge(f)));
     }
-    Vertex_fitter<ConcurrencyTag, typename Projection::Function>(m_projection.function(), m_projection.unit())(points, normals,
-                                                                                                               is_free, facets);
+    const Vertex_fitter<ConcurrencyTag, typename Projection::Function> fit(m_projection.function(), m_projection.unit());
+    fit(points, normals, is_free, facets, regions);
     Moves moves(m_mesh);
     moves.template propose<ConcurrencyTag>([&](const Vertex_index v) { return bool(is_free[v]); },
-                                           [&](const Vertex_index v, Vertex& state)
+                                           [&](const Vertex_index v, Vertex& state, typename Mesh::Sides&)
                                            {
                                              state.point = points[v];
                                              return true;
@@ -119,18 +126,23 @@ private:
     Moves moves(m_mesh);
     moves.template propose<ConcurrencyTag>(
         is_chosen,
-        [&](const Vertex_index v, Vertex& state)
+        [&](const Vertex_index v, Vertex& state, typename Mesh::Sides& sides)
         {
-          if (state.is_on_curve || state.is_fixed)
-            m_projection.update_normal(state);
+          if (!state.is_on_curve && !state.is_fixed)
+          {
+            m_projection.project(state, region(v), 0.5 * mean_edge_length(v));
+            m_embedding.place(state);
+          }
           else
-            m_projection.project(state, 0.5 * mean_edge_length(v));
-          m_embedding.place(state);
+            m_placement.update(state, region(v), sides);
           return true;
         },
         interruption);
     return moves;
   }
+
+  // of one that is not on a crease
+  Region region(const Vertex_index v) const { return m_mesh.region(m_mesh.halfedge(v)); }
 
   // in space; the root mean square
   double mean_edge_length(const Vertex_index v) const
@@ -148,6 +160,7 @@ private:
   Mesh& m_mesh;
   const Embedding& m_embedding;
   const Projection& m_projection;
+  const Curve_placement<Embedding, Projection> m_placement;
   const Guard& m_guard;
   Remeshing_result& m_result; // where those are counted that are not on the surface
 };

@@ -13,11 +13,13 @@
 
 #include <CGAL/Anisotropic_hde_remeshing/internal/folded_edge.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Jet.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/pieces.h>
 
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/iterator.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -48,6 +50,7 @@ struct Vertex_state
   std::uint32_t input_vertex = no_vertex; // its number in the input, if it comes from there
   bool is_on_curve = false;               // of a boundary or of constrained edges, which the vertex does not leave
   bool is_fixed = false;                  // never moved nor removed
+  bool is_on_crease = false;              // between regions, in each of which it has a state of its own
 
   // whether it was put where the surface is expected, without looking
   bool is_predicted() const { return std::isinf(last_step); }
@@ -62,6 +65,14 @@ inline std::istream& operator>>(std::istream& in, Vertex_state& v) { return in >
 template <typename Vertex_data>
 struct Embedded_vertex : Vertex_state, Vertex_data
 {
+};
+
+// A vertex on a crease as the faces of one region see it: the point is that of the vertex, the normal that of the region.
+template <typename Vertex>
+struct Crease_side
+{
+  Region region;
+  Vertex vertex;
 };
 
 // The part of a curve that a halfedge runs along: arc lengths from the begin of the curve. They decrease where the halfedge
@@ -80,13 +91,15 @@ struct Curve_arc
 
 // The mesh that is modified: a copy of the caller's, whatever its type, so that the caller's is untouched until the end and
 // the result does not depend on how it numbers and recycles its elements. An edge knows its arc, a face the face of the input
-// from which it comes, which is the one whose patch it is in.
+// from which it comes, which is the one whose patch and region it is in. `state(v, h)` is the vertex v to the face of h; only on
+// creases it differs from `point(v)`.
 template <typename Vertex_data>
 class Working_mesh : public CGAL::Surface_mesh<Embedded_vertex<Vertex_data>>
 {
 public:
   typedef Embedded_vertex<Vertex_data> Vertex;
   typedef CGAL::Surface_mesh<Vertex> Graph;
+  typedef std::vector<Crease_side<Vertex>> Sides;
 
   Working_mesh() { find_properties(); }
   Working_mesh(const Working_mesh&) = delete;
@@ -94,6 +107,7 @@ public:
   Working_mesh& operator=(Working_mesh&& other) // NOLINT(performance-noexcept-move-constructor)
   {
     Graph::operator=(std::move(other));
+    m_input_regions = std::move(other.m_input_regions);
     find_properties();
     return *this;
   }
@@ -118,6 +132,55 @@ public:
   std::size_t input_face(const Face_index f) const { return m_input_faces[f]; }
   void set_input_face(const Face_index f, const std::size_t input_face) { m_input_faces[f] = input_face; }
 
+  // the regions of the faces of the input; none if there is only one
+  const std::vector<Region>& input_regions() const { return m_input_regions; }
+  void set_input_regions(std::vector<Region> regions) { m_input_regions = std::move(regions); }
+
+  // of the face of h, or of the one beyond it on the border
+  Region region(const Halfedge_index h) const
+  {
+    if (m_input_regions.empty())
+      return 0;
+    return m_input_regions[m_input_faces[this->face(this->is_border(h) ? opposite(h) : h)]];
+  }
+
+  const Vertex& state(const Vertex_index v, const Halfedge_index h) const
+  {
+    const Vertex& vertex = this->point(v);
+    return vertex.is_on_crease ? side(m_sides[v], region(h)) : vertex;
+  }
+
+  // of a vertex on a crease, by increasing region; the first one is also `point(v)`
+  const Sides& sides(const Vertex_index v) const { return m_sides[v]; }
+  Sides& sides(const Vertex_index v) { return m_sides[v]; }
+
+  static const Vertex& side(const Sides& sides, const Region region)
+  {
+    const auto side = std::find_if(sides.begin(), sides.end(), [&](const auto& s) { return s.region == region; });
+    CGAL_assertion(side != sides.end());
+    return side->vertex;
+  }
+
+  // gives the vertices between regions their sides
+  void mark_creases()
+  {
+    std::vector<Region> regions;
+    for (const Vertex_index v : this->vertices())
+    {
+      regions.clear();
+      for (const Halfedge_index h : this->halfedges_around_target(this->halfedge(v)))
+        if (!this->is_border(h))
+          regions.push_back(region(h));
+      std::sort(regions.begin(), regions.end());
+      regions.erase(std::unique(regions.begin(), regions.end()), regions.end());
+      if (regions.size() < 2)
+        continue;
+      this->point(v).is_on_crease = true;
+      for (const Region r : regions)
+        m_sides[v].push_back(Crease_side<Vertex>{r, this->point(v)});
+    }
+  }
+
 private:
   // the direction of an edge; an Edge_index remembers the halfedge from which it was made, and tells none
   bool is_first(const Halfedge_index h) const { return h < opposite(h); }
@@ -126,10 +189,13 @@ private:
   {
     m_arcs = this->template add_property_map<Edge_index, Curve_arc>("e:curve_arc").first;
     m_input_faces = this->template add_property_map<Face_index, std::size_t>("f:input_face").first;
+    m_sides = this->template add_property_map<Vertex_index, Sides>("v:sides").first;
   }
 
   typename Graph::template Property_map<Edge_index, Curve_arc> m_arcs;
   typename Graph::template Property_map<Face_index, std::size_t> m_input_faces;
+  typename Graph::template Property_map<Vertex_index, Sides> m_sides;
+  std::vector<Region> m_input_regions;
 };
 
 // the numbers of places that vectors indexed by vertices, edges, faces need, removed elements included
@@ -159,6 +225,31 @@ struct Triangle
   {
   }
 };
+
+// the states of the three vertices to that face
+template <typename Mesh>
+struct Corners
+{
+  const typename Mesh::Vertex &a, &b, &c;
+
+  Corners(const Triangle& t, const Halfedge_index h, const Mesh& mesh)
+    : a(mesh.state(t.a, h)), b(mesh.state(t.b, h)), c(mesh.state(t.c, h))
+  {
+  }
+  Corners(const Halfedge_index h, const Mesh& mesh) : Corners(Triangle(h, mesh), h, mesh) {}
+};
+
+// The squared length of an edge in the embedding; of one between two regions the larger one.
+template <typename Mesh, typename Embedding>
+double squared_length(const Edge_index e, const Mesh& mesh, const Embedding& embedding)
+{
+  const Halfedge_index h = mesh.halfedge(e), g = mesh.opposite(h);
+  const Vertex_index u = mesh.source(h), v = mesh.target(h);
+  const double length = embedding.squared_length(mesh.state(u, h), mesh.state(v, h));
+  if (!mesh.point(u).is_on_crease || !mesh.point(v).is_on_crease)
+    return length;
+  return (std::max)(length, embedding.squared_length(mesh.state(u, g), mesh.state(v, g)));
+}
 
 // as `triangle_normal()`
 inline Vector face_normal(const Vertex_state& a, const Vertex_state& b, const Vertex_state& c)

@@ -46,8 +46,9 @@ class Edge_collapser
   static constexpr double classes_per_octave = 2;
 
 public:
-  Edge_collapser(Mesh& mesh, const Embedding& embedding, const Guard& guard, Interruption& interruption)
-    : m_mesh(mesh), m_embedding(embedding), m_guard(guard), m_interruption(interruption)
+  Edge_collapser(Mesh& mesh, const Embedding& embedding, const Curve_network& curves, const Guard& guard,
+                 Interruption& interruption)
+    : m_mesh(mesh), m_embedding(embedding), m_curves(curves), m_guard(guard), m_interruption(interruption)
   {
   }
 
@@ -73,18 +74,13 @@ public:
       if (is_refused[i] && !is_touched[m_mesh.vertex(e, 0)] && !is_touched[m_mesh.vertex(e, 1)])
         continue;
       // earlier contractions may have moved its ends
-      if (this->squared_length(e) < squared_length && collapse(e, squared_longest, is_touched))
+      if (internal::squared_length(e, m_mesh, m_embedding) < squared_length && collapse(e, squared_longest, is_touched))
         ++number_of_collapses;
     }
     return number_of_collapses;
   }
 
 private:
-  double squared_length(const Edge_index e) const
-  {
-    return m_embedding.squared_length(m_mesh.point(m_mesh.vertex(e, 0)), m_mesh.point(m_mesh.vertex(e, 1)));
-  }
-
   // The shortest first; in so many classes for a factor of two in the squared length, and within a class in the order of memory,
   // if there are to be classes.
   std::vector<Keyed_edge> short_edges(const double limit, const double classes) const
@@ -93,7 +89,7 @@ private:
         m_mesh,
         [&](const Edge_index e)
         {
-          const double length = squared_length(e);
+          const double length = squared_length(e, m_mesh, m_embedding);
           if (!(length < limit))
             return no_key;
           return classes > 0 ? std::ceil(classes * std::log2(length / limit)) : length;
@@ -160,6 +156,7 @@ private:
   Vertex_index contract(const Halfedge_index h) const
   {
     const Vertex kept = m_mesh.point(m_mesh.target(h));
+    const typename Mesh::Sides sides = m_mesh.sides(m_mesh.target(h));
     std::array<std::pair<Vertex_index, Curve_arc>, 3> arcs; // from neighbours to the vertex that stays
     std::size_t number_of_arcs = 0;
     for (const Halfedge_index side : {h, m_mesh.opposite(h)})
@@ -173,6 +170,7 @@ private:
       arcs[number_of_arcs++] = path_over_source(h);
     const Vertex_index v = CGAL::Euler::collapse_edge(m_mesh.edge(h), m_mesh.graph());
     m_mesh.point(v) = kept;
+    m_mesh.sides(v) = sides;
     for (std::size_t i = 0; i < number_of_arcs; ++i)
       m_mesh.set_arc(m_mesh.halfedge(arcs[i].first, v), arcs[i].second);
     return v;
@@ -191,7 +189,7 @@ private:
   {
     static constexpr double not_allowed = (std::numeric_limits<double>::max)();
     const Vertex_index removed = m_mesh.source(h), kept = m_mesh.target(h);
-    const Vertex &from = m_mesh.point(removed), &to = m_mesh.point(kept);
+    const Vertex& from = m_mesh.point(removed);
     if (from.is_fixed || (from.is_on_curve && !may_shorten_curve(h)))
       return not_allowed;
     double longest = 0;
@@ -201,11 +199,11 @@ private:
       const Vertex_index neighbor = m_mesh.source(in);
       if (neighbor != kept)
       {
-        longest = (std::max)(longest, m_embedding.squared_length(m_mesh.point(neighbor), to));
+        longest = (std::max)(longest, squared_length_to(neighbor, in, kept));
         if (longest > squared_longest)
           return not_allowed; // guard 2
       }
-      if (!m_mesh.is_border(in) && !accepts_face(in, kept, to))
+      if (!m_mesh.is_border(in) && !accepts_face(in, kept))
         return not_allowed; // guards 1 and 3
       in = m_mesh.prev(m_mesh.opposite(in));
       if (in == m_mesh.opposite(h))
@@ -214,19 +212,30 @@ private:
     return longest;
   }
 
-  // whether the face of `in` is as good with `to` in the place of the target of `in`
-  bool accepts_face(const Halfedge_index in, const Vertex_index kept, const Vertex& to) const
+  // of the edge from the source of `in` to `kept`, which is to take the place of its target
+  double squared_length_to(const Vertex_index neighbor, const Halfedge_index in, const Vertex_index kept) const
+  {
+    const double length = m_embedding.squared_length(m_mesh.state(neighbor, in), m_mesh.state(kept, in));
+    if (!m_mesh.is_on_curve(m_mesh.edge(in)))
+      return length;
+    const Halfedge_index out = m_mesh.opposite(in);
+    return (std::max)(length, m_embedding.squared_length(m_mesh.state(neighbor, out), m_mesh.state(kept, out)));
+  }
+
+  // whether the face of `in` is as good with `kept` in the place of the target of `in`
+  bool accepts_face(const Halfedge_index in, const Vertex_index kept) const
   {
     const Triangle t(in, m_mesh);
     if (t.a == kept || t.c == kept)
       return true; // it vanishes
-    const Vertex &a = m_mesh.point(t.a), &c = m_mesh.point(t.c);
-    const double after = Face_guard::quality(a, to, c);
-    return after >= Face_guard::smallest_cosine || Face_guard::accepts(after, Face_guard::quality(a, m_mesh.point(t.b), c));
+    const Corners<Mesh> before(t, in, m_mesh);
+    const double after = Face_guard::quality(before.a, m_mesh.state(kept, in), before.c);
+    return after >= Face_guard::smallest_cosine ||
+           Face_guard::accepts(after, Face_guard::quality(before.a, before.b, before.c));
   }
 
   // A vertex of a curve goes along the curve only, past no face whose other edge is on it, too. The curve does not become much
-  // shorter by it, and a boundary keeps three edges at least.
+  // shorter by it, does not leave its polyline if that is asked for, and a boundary keeps three edges at least.
   bool may_shorten_curve(const Halfedge_index h) const
   {
     if (!m_mesh.is_on_curve(m_mesh.edge(h)))
@@ -238,13 +247,14 @@ private:
       return false;
     const auto path = path_over_source(h);
     const double chord = (m_mesh.point(path.first).point - m_mesh.point(m_mesh.target(h)).point).norm();
-    return chord >= smallest_chord * std::abs(path.second.target - path.second.source);
+    return chord >= smallest_chord * std::abs(path.second.target - path.second.source) && m_curves.accepts(path.second);
   }
 
   bool is_triangle(const Halfedge_index h) const { return m_mesh.next(m_mesh.next(m_mesh.next(h))) == h; }
 
   Mesh& m_mesh;
   const Embedding& m_embedding;
+  const Curve_network& m_curves;
   const Guard& m_guard;
   Interruption& m_interruption;
 };

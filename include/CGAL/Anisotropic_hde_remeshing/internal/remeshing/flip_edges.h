@@ -79,6 +79,18 @@ private:
     Vertex_index a, b, c, d;
   };
 
+  // an edge inside a region has one state of each
+  struct Quad_states
+  {
+    const Vertex &a, &b, &c, &d;
+
+    Quad_states(const Edge_index e, const Quad& q, const Mesh& mesh) : Quad_states(mesh.halfedge(e), q, mesh) {}
+    Quad_states(const Halfedge_index h, const Quad& q, const Mesh& mesh)
+      : a(mesh.state(q.a, h)), b(mesh.state(q.b, h)), c(mesh.state(q.c, h)), d(mesh.state(q.d, h))
+    {
+    }
+  };
+
   Quad quad(const Edge_index e) const
   {
     const Halfedge_index h = m_mesh.halfedge(e), g = m_mesh.opposite(h);
@@ -173,10 +185,10 @@ private:
     if (m_mesh.is_on_curve(e))
       return false;
     const Quad q = quad(e);
-    return (criterion == Flip_criterion::VALENCE ? gains_valence(q, valences) : gains_angle(q)) && is_allowed(e, q);
+    return (criterion == Flip_criterion::VALENCE ? gains_valence(e, q, valences) : gains_angle(e, q)) && is_allowed(e, q);
   }
 
-  bool gains_valence(const Quad& q, const std::vector<int>& valences) const
+  bool gains_valence(const Edge_index e, const Quad& q, const std::vector<int>& valences) const
   {
     const auto square = [](const int x) { return x * x; };
     const int before =
@@ -186,14 +198,14 @@ private:
     if (after >= before)
       return false;
     double cosine_before, cosine_after;
-    largest_cosines(q, cosine_before, cosine_after);
+    largest_cosines(e, q, cosine_before, cosine_after);
     return !(cosine_after > (std::max)(cosine_before, largest_cosine_of_valence_flip));
   }
 
-  bool gains_angle(const Quad& q) const
+  bool gains_angle(const Edge_index e, const Quad& q) const
   {
     double cosine_before, cosine_after;
-    largest_cosines(q, cosine_before, cosine_after);
+    largest_cosines(e, q, cosine_before, cosine_after);
     return cosine_after < cosine_before - smallest_gain;
   }
 
@@ -212,9 +224,10 @@ private:
   }
 
   // the cosines of the smallest angles in the embedding of the two faces, now and after a flip
-  void largest_cosines(const Quad& q, double& before, double& after) const
+  void largest_cosines(const Edge_index e, const Quad& q, double& before, double& after) const
   {
-    const Vertex &a = m_mesh.point(q.a), &b = m_mesh.point(q.b), &c = m_mesh.point(q.c), &d = m_mesh.point(q.d);
+    const Quad_states s(e, q, m_mesh);
+    const Vertex &a = s.a, &b = s.b, &c = s.c, &d = s.d;
     const double ab = m_embedding.squared_length(a, b), bc = m_embedding.squared_length(b, c),
                  ca = m_embedding.squared_length(c, a), ad = m_embedding.squared_length(a, d),
                  db = m_embedding.squared_length(d, b), cd = m_embedding.squared_length(c, d);
@@ -225,10 +238,10 @@ private:
   // guards 1, 3 and 5
   bool is_allowed(const Edge_index e, const Quad& q) const
   {
-    const Vertex &a = m_mesh.point(q.a), &b = m_mesh.point(q.b), &c = m_mesh.point(q.c), &d = m_mesh.point(q.d);
-    const double after = (std::min)(Face_guard::quality(c, a, d), Face_guard::quality(d, b, c));
+    const Quad_states s(e, q, m_mesh);
+    const double after = (std::min)(Face_guard::quality(s.c, s.a, s.d), Face_guard::quality(s.d, s.b, s.c));
     if (after < Face_guard::smallest_cosine &&
-        !Face_guard::accepts(after, (std::min)(Face_guard::quality(a, b, c), Face_guard::quality(b, a, d))))
+        !Face_guard::accepts(after, (std::min)(Face_guard::quality(s.a, s.b, s.c), Face_guard::quality(s.b, s.a, s.d))))
       return false;
     return q.c != q.d && !m_mesh.halfedge(q.c, q.d).is_valid() && m_mesh.degree(q.a) > 3 && m_mesh.degree(q.b) > 3 &&
            is_accepted(exchange(e, q));

@@ -190,7 +190,7 @@ private:
 
   static Vertex_index vertex_index(const std::size_t i) { return Vertex_index(static_cast<Vertex_index::size_type>(i)); }
 
-  // the boundary, the constrained edges, and those between two patches; where the other faces begin, nothing is touched
+  // the boundary, the constrained edges, the creases, and the edges between two patches; where the other faces begin, nothing is touched
   void mark_curves(Mesh& mesh) const
   {
     for (std::size_t i = 0; i < m_origin.faces.size(); ++i)
@@ -214,10 +214,18 @@ private:
     const bool is_boundary = is_border(g, m_tmesh);
     if (!is_boundary && !is_selected(g))
       return Curve_arc::untouchable;
-    if (!is_boundary && !get(m_constraints.edge_is_constrained, edge(h, m_tmesh)) &&
-        get(m_constraints.face_patch, face(h, m_tmesh)) == get(m_constraints.face_patch, face(g, m_tmesh)))
+    if (!is_boundary && !is_constrained(h))
       return Curve_arc::none;
     return m_constraints.protect_constraints ? Curve_arc::untouchable : Curve_arc::unnamed;
+  }
+
+  bool is_constrained(const Halfedge h) const
+  {
+    const auto e = edge(h, m_tmesh);
+    const Face f = face(h, m_tmesh), g = face(opposite(h, m_tmesh), m_tmesh);
+    return get(m_constraints.edge_is_constrained, e) || get(m_constraints.creases.edge_is_crease, e) ||
+           !(get(m_constraints.face_patch, f) == get(m_constraints.face_patch, g)) ||
+           !(get(m_constraints.creases.face_region, f) == get(m_constraints.creases.face_region, g));
   }
 
   const TriangleMesh& m_tmesh;

@@ -16,7 +16,9 @@
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_result.h>
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_visitor.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/Interruption.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/check_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/pieces.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Curve_network.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Input_surface.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Mesh_intersections.h>
@@ -29,7 +31,9 @@
 
 #include <CGAL/Real_timer.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -38,18 +42,86 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// 1 if the faces of the mesh look along the normals of its vertices, -1 if most of their area looks against them
-template <typename Mesh>
-double orientation(const Mesh& mesh)
+// The regions of the loaded faces; none where there is one piece only. Throws std::invalid_argument if there is no such piece.
+template <typename TriangleMesh, typename FaceRegionMap>
+std::vector<Region> regions_of_faces(const Mesh_origin<TriangleMesh>& origin, const FaceRegionMap face_region,
+                                     const std::size_t number_of_pieces)
 {
-  double sum = 0;
+  std::vector<Region> result;
+  for (std::size_t i = 0; i < origin.faces.size(); ++i)
+  {
+    const std::size_t region = static_cast<std::size_t>(get(face_region, origin.faces[i]));
+    if (region >= number_of_pieces)
+      throw_invalid_argument("face_patch_map", region,
+                             "the number of a piece, below " + std::to_string(number_of_pieces) + ", at face " +
+                                 std::to_string(origin.face_positions[i]));
+    result.push_back(Region(region));
+  }
+  return result;
+}
+
+// For each region 1 if its faces look along the normals of their vertices, -1 if most of their area looks against them.
+template <typename Mesh>
+std::vector<double> orientations(const Mesh& mesh, const std::size_t number_of_regions)
+{
+  std::vector<double> result(number_of_regions, 0.);
   for (const Face_index f : mesh.faces())
   {
-    const Triangle t(mesh.halfedge(f), mesh);
-    const Vector &a = mesh.point(t.a).point, &b = mesh.point(t.b).point, &c = mesh.point(t.c).point;
-    sum += (b - a).cross(c - a).dot(mesh.point(t.a).normal + mesh.point(t.b).normal + mesh.point(t.c).normal);
+    const Corners<Mesh> t(mesh.halfedge(f), mesh);
+    result[mesh.region(mesh.halfedge(f))] +=
+        (t.b.point - t.a.point).cross(t.c.point - t.a.point).dot(t.a.normal + t.b.normal + t.c.normal);
   }
-  return sum < 0 ? -1 : 1;
+  for (double& sum : result)
+    sum = sum < 0 ? -1 : 1;
+  return result;
+}
+
+// turns the normals of those regions over
+template <typename Mesh>
+void orient_normals(Mesh& mesh, const std::vector<double>& orientations)
+{
+  for (const Vertex_index v : mesh.vertices())
+  {
+    mesh.point(v).normal *= orientations[mesh.region(mesh.halfedge(v))];
+    if (!mesh.point(v).is_on_crease)
+      continue;
+    for (auto& side : mesh.sides(v))
+      side.vertex.normal *= orientations[side.region];
+    mesh.point(v) = mesh.sides(v).front().vertex;
+  }
+}
+
+// `unit` that of the copy
+template <typename Mesh>
+Feature_curves feature_curves(const Mesh& mesh, const double unit)
+{
+  Feature_curves result;
+  std::vector<int> curves;
+  for (const Edge_index e : mesh.edges())
+  {
+    if (!mesh.is_on_curve(e))
+      continue;
+    const int curve = mesh.arc(mesh.halfedge(e)).curve;
+    if (curve >= 0)
+      curves.push_back(curve);
+    result.length += (mesh.point(mesh.vertex(e, 0)).point - mesh.point(mesh.vertex(e, 1)).point).norm() * unit;
+  }
+  std::sort(curves.begin(), curves.end());
+  result.number_of_curves = std::size_t(std::unique(curves.begin(), curves.end()) - curves.begin());
+  for (const Vertex_index v : mesh.vertices())
+    result.number_of_corners += mesh.point(v).is_on_curve && mesh.point(v).is_fixed ? 1 : 0;
+  return result;
+}
+
+// whether there are edges that a piecewise function keeps sharp, other than the boundary
+template <typename Mesh, typename Function>
+bool has_creases(const Mesh& mesh, const Function&)
+{
+  if constexpr (is_piecewise<Function>)
+    for (const Edge_index e : mesh.edges())
+      if (mesh.is_on_curve(e) && !mesh.is_border(e))
+        return true;
+  return false;
 }
 
 // the second step, on the copy of the mesh; `diagonal` in the unit of the caller, `unit` that of the copy
@@ -61,7 +133,8 @@ void remesh(Working_mesh<typename Embedding::Vertex_data>& mesh, const Embedding
 {
   typedef Surface_projection<Function> Projection;
   typedef Remesher<ConcurrencyTag, Embedding, Projection, Intersections, Visitor> Remesher;
-  static constexpr double exact_distance = 1e-9; // of the diagonal; one more step of Newton squares it
+  static constexpr double exact_distance = 1e-9;           // of the diagonal; one more step of Newton squares it
+  static constexpr double largest_crease_deviation = 5e-5; // likewise: of an edge on a curve from the polyline of the input
 
   Real_timer timer;
   timer.start();
@@ -70,17 +143,20 @@ void remesh(Working_mesh<typename Embedding::Vertex_data>& mesh, const Embedding
   parameters.error = error_parameter(np, diagonal) / unit;
   if (parameters.number_of_iterations > 0)
     reorder_in_space<ConcurrencyTag>(mesh, interruption);
-  const Curve_network curves(mesh);
+  Curve_network curves(mesh);
+  mesh.mark_creases();
+  if (has_creases(mesh, function))
+    curves.set_largest_deviation(largest_crease_deviation * diagonal / unit);
+  result.number_of_regions = number_of_pieces(function);
+  result.curves_before = feature_curves(mesh, unit);
   Projection projection(function, input, exact_distance * diagonal / unit, unit);
   Remesher remesher(mesh, embedding, projection, curves, intersections, parameters, diagonal / unit, visitor, interruption,
                     result);
   remesher.project_input();
-  if (orientation(mesh) < 0)
-  {
-    projection.set_orientation(-1);
-    for (const Vertex_index v : mesh.vertices())
-      mesh.point(v).normal *= -1;
-  }
+  const std::vector<double> signs = orientations(mesh, number_of_pieces(function));
+  for (std::size_t i = 0; i < signs.size(); ++i)
+    projection.set_orientation(Region(i), signs[i]);
+  orient_normals(mesh, signs);
   result.projection_seconds = timer.time();
   if (interruption.is_requested())
     return;
@@ -101,6 +177,7 @@ void remesh(Working_mesh<typename Embedding::Vertex_data>& mesh, const Embedding
   result.target_edge_length *= unit_of_lengths;
   result.approximation_error *= unit;
   result.projections = projection.counters();
+  result.curves_after = feature_curves(mesh, unit);
   result.remeshing_seconds = timer.time();
 }
 
@@ -144,9 +221,10 @@ std::vector<Input_location> locations_on_input(const Mesh& mesh, const Input_sur
 }
 
 // loads the faces, remeshes them and stores them
-template <typename ConcurrencyTag, typename FaceRange, typename TriangleMesh, typename Function, typename NamedParameters>
+template <typename ConcurrencyTag, typename FaceRange, typename TriangleMesh, typename Function, typename NamedParameters,
+          typename CreaseMaps>
 Remeshing_result remesh_faces(const FaceRange& faces, TriangleMesh& tmesh, const Function& function, const bool is_whole_mesh,
-                              const NamedParameters& np)
+                              const NamedParameters& np, const CreaseMaps& creases)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -154,7 +232,7 @@ Remeshing_result remesh_faces(const FaceRange& faces, TriangleMesh& tmesh, const
   auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_property_map(vertex_point, tmesh));
   auto visitor = choose_parameter(get_parameter(np, internal_np::visitor), Remeshing_visitor());
   Interruption interruption([&visitor] { return visitor.go_further(); });
-  const auto constraints = mesh_constraints<TriangleMesh>(np);
+  const auto constraints = mesh_constraints<TriangleMesh>(np, creases);
 
   typedef Embedding_parameter<NamedParameters> Embedding;
   typedef Working_mesh<typename Embedding::Vertex_data> Mesh;
@@ -170,6 +248,8 @@ Remeshing_result remesh_faces(const FaceRange& faces, TriangleMesh& tmesh, const
     result.was_stopped = true;
     return result;
   }
+  if constexpr (is_piecewise<Function>)
+    mesh.set_input_regions(regions_of_faces(origin, creases.face_region, number_of_pieces(function)));
   std::vector<Vector> points;
   points.reserve(mesh.number_of_vertices());
   for (const Vertex_index v : mesh.vertices())

@@ -188,18 +188,48 @@ void check_parameters(const NamedParameters& np)
   target_length(np, 1, 1, 1);
 }
 
+// The edges where two regions of the surface meet, or where one has an edge inside, and the regions of the faces.
+template <typename EdgeIsCreaseMap, typename FaceRegionMap>
+struct Crease_maps
+{
+  EdgeIsCreaseMap edge_is_crease;
+  FaceRegionMap face_region;
+};
+
+// With a piecewise function of the caller's the patches are the regions, else there is one region.
+template <typename Function, typename TriangleMesh, typename NamedParameters>
+auto crease_maps(const NamedParameters& np)
+{
+  typedef boost::graph_traits<TriangleMesh> Graph_traits;
+  typedef Static_boolean_property_map<typename Graph_traits::edge_descriptor, false> No_creases;
+  if constexpr (is_piecewise<Function>)
+  {
+    static_assert(is_given<NamedParameters, internal_np::face_patch_t>,
+                  "a piecewise function needs face_patch_map, which tells the piece of each face");
+    const auto regions = parameters::get_parameter(np, internal_np::face_patch);
+    return Crease_maps<No_creases, std::decay_t<decltype(regions)>>{No_creases(), regions};
+  }
+  else
+  {
+    typedef Static_boolean_property_map<typename Graph_traits::face_descriptor, false> One_region;
+    (void)np;
+    return Crease_maps<No_creases, One_region>{No_creases(), One_region()};
+  }
+}
+
 // The maps of constraints; without them nothing is constrained, and all faces are in one patch.
-template <typename EdgeIsConstrainedMap, typename VertexIsConstrainedMap, typename FacePatchMap>
+template <typename EdgeIsConstrainedMap, typename VertexIsConstrainedMap, typename FacePatchMap, typename CreaseMaps>
 struct Mesh_constraints
 {
   EdgeIsConstrainedMap edge_is_constrained;
   VertexIsConstrainedMap vertex_is_constrained;
   FacePatchMap face_patch;
+  CreaseMaps creases;
   bool protect_constraints;
 };
 
-template <typename TriangleMesh, typename NamedParameters>
-auto mesh_constraints(const NamedParameters& np)
+template <typename TriangleMesh, typename NamedParameters, typename CreaseMaps>
+auto mesh_constraints(const NamedParameters& np, const CreaseMaps& creases)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -210,8 +240,9 @@ auto mesh_constraints(const NamedParameters& np)
                                          Static_boolean_property_map<typename Graph_traits::vertex_descriptor, false>());
   const auto patches = choose_parameter(get_parameter(np, internal_np::face_patch),
                                         Static_boolean_property_map<typename Graph_traits::face_descriptor, false>());
-  return Mesh_constraints<std::decay_t<decltype(edges)>, std::decay_t<decltype(vertices)>, std::decay_t<decltype(patches)>>{
-      edges, vertices, patches, choose_parameter(get_parameter(np, internal_np::protect_constraints), false)};
+  return Mesh_constraints<std::decay_t<decltype(edges)>, std::decay_t<decltype(vertices)>, std::decay_t<decltype(patches)>,
+                          CreaseMaps>{edges, vertices, patches, creases,
+                                      choose_parameter(get_parameter(np, internal_np::protect_constraints), false)};
 }
 
 // whether elements of the caller's mesh keep their descriptors

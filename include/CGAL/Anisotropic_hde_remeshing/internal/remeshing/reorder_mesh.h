@@ -48,6 +48,7 @@ public:
       if (m_interruption.ask())
         return;
     }
+    m_ordered.set_input_regions(m_mesh.input_regions());
     m_mesh = std::move(m_ordered);
   }
 
@@ -73,6 +74,7 @@ private:
     {
       m_vertices[point.second] = *next++;
       m_ordered.point(m_vertices[point.second]) = m_mesh.point(point.second);
+      m_ordered.sides(m_vertices[point.second]) = m_mesh.sides(point.second);
     }
   }
 

@@ -13,6 +13,7 @@
 
 #include <CGAL/Anisotropic_hde_remeshing/internal/Interruption.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Curve_network.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Curve_placement.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Shape_operator_estimate.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Simultaneous_moves.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Surface_projection.h>
@@ -61,6 +62,7 @@ public:
       m_embedding(embedding),
       m_projection(projection),
       m_curves(curves),
+      m_placement(embedding, projection, curves),
       m_guard(guard),
       m_interruption(interruption),
       m_moves(mesh)
@@ -77,8 +79,8 @@ public:
     m_moves.template propose<ConcurrencyTag>(
         [&](const Vertex_index v)
         { return (is_chosen.empty() || is_chosen[v] || is_due(v, kind)) && !m_mesh.point(v).is_fixed; },
-        [&](const Vertex_index v, Vertex& state)
-        { return state.is_on_curve ? slide(v, state, shifts[v]) : move(v, state, kind); },
+        [&](const Vertex_index v, Vertex& state, typename Mesh::Sides& sides)
+        { return state.is_on_curve ? slide(v, state, sides, shifts[v]) : move(v, state, kind); },
         m_interruption);
     m_guard.template revert<ConcurrencyTag>(m_moves, m_interruption);
     if (m_interruption.ask())
@@ -121,11 +123,10 @@ private:
     {
       if (m_mesh.is_border(h))
         continue;
-      const Triangle t(h, m_mesh);
-      const Vertex &a = m_mesh.point(t.a), &b = m_mesh.point(t.b), &c = m_mesh.point(t.c);
-      largest = (std::max)(largest,
-                           Embedded_triangle::largest_cosine(m_embedding.squared_length(a, b), m_embedding.squared_length(b, c),
-                                                             m_embedding.squared_length(c, a)));
+      const Corners<Mesh> t(h, m_mesh);
+      largest = (std::max)(largest, Embedded_triangle::largest_cosine(m_embedding.squared_length(t.a, t.b),
+                                                                      m_embedding.squared_length(t.b, t.c),
+                                                                      m_embedding.squared_length(t.c, t.a)));
     }
     return largest;
   }
@@ -151,20 +152,22 @@ private:
 
   // along the curve, to where both edges of it have the same length in the embedding; `shift` goes along the halfedge that
   // `curve_halfedge()` finds
-  bool slide(const Vertex_index v, Vertex& state, double& shift) const
+  bool slide(const Vertex_index v, Vertex& state, typename Mesh::Sides& sides, double& shift) const
   {
     const Halfedge_index in = curve_halfedge(v), out = Curve_network::next_on_curve(in, m_mesh);
-    const double length_before = std::sqrt(m_embedding.squared_length(m_mesh.point(m_mesh.source(in)), state)),
-                 length_behind = std::sqrt(m_embedding.squared_length(state, m_mesh.point(m_mesh.target(out))));
+    const double length_before = std::sqrt(squared_length(m_mesh.edge(in), m_mesh, m_embedding)),
+                 length_behind = std::sqrt(squared_length(m_mesh.edge(out), m_mesh, m_embedding));
     const double share = (length_behind - length_before) / (length_behind + length_before);
     if (!(std::abs(share) > negligible_step))
       return false;
     const Curve_arc before = m_mesh.arc(in), behind = m_mesh.arc(out);
     const double way = share > 0 ? behind.target - behind.source : before.target - before.source;
     shift = 0.5 * relaxation * share * way;
-    state.point = m_curves.point(before.curve, before.target + shift);
-    m_projection.update_normal(state);
-    m_embedding.place(state);
+    if (!m_curves.accepts(Curve_arc{before.curve, before.source, before.target + shift}) ||
+        !m_curves.accepts(Curve_arc{before.curve, before.target + shift, before.target + (behind.target - behind.source)}))
+      return false;
+    state.point = m_placement.point(before.curve, before.target + shift, sides);
+    m_placement.update(state, m_mesh.region(in), sides);
     return true;
   }
 
@@ -188,7 +191,7 @@ private:
     {
       Vertex moved = state;
       moved.point += on_paraboloid(step, frame, shape_operator, state.normal);
-      if (!m_projection.find_roughly(moved, radius, 0.02 * radius))
+      if (!m_projection.find_roughly(moved, m_mesh.region(m_mesh.halfedge(v)), radius, 0.02 * radius))
         continue;
       m_embedding.place(moved);
       state = moved;
@@ -232,7 +235,7 @@ private:
     double weights = 0;
     for (const Halfedge_index h : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
     {
-      const Vertex &a = m_mesh.point(m_mesh.source(h)), &b = m_mesh.point(m_mesh.target(m_mesh.next(h)));
+      const Vertex &a = m_mesh.state(m_mesh.source(h), h), &b = m_mesh.state(m_mesh.target(m_mesh.next(h)), h);
       const Eigen::Vector2d edge = frame.transpose() * (a.point - state.point);
       around.shape_operator.add_neighbor(edge, frame.transpose() * (a.normal - state.normal));
       around.centroid.add_neighbor(edge, a);
@@ -249,6 +252,7 @@ private:
   const Embedding& m_embedding;
   const Projection& m_projection;
   const Curve_network& m_curves;
+  const Curve_placement<Embedding, Projection> m_placement;
   const Guard& m_guard;
   Interruption& m_interruption;
   Simultaneous_moves<Mesh> m_moves;

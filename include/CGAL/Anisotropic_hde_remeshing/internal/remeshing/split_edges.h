@@ -13,6 +13,7 @@
 
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Curve_network.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Curve_placement.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Face_guard.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Local_change.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Surface_projection.h>
@@ -46,7 +47,7 @@ public:
     : m_mesh(mesh),
       m_embedding(embedding),
       m_projection(projection),
-      m_curves(curves),
+      m_curves(embedding, projection, curves),
       m_guard(guard),
       m_interruption(interruption)
   {
@@ -64,7 +65,7 @@ public:
     std::vector<Candidate> candidates;
     for (const Edge_index e : edges)
       if (m_mesh.arc(m_mesh.halfedge(e)).curve != Curve_arc::untouchable)
-        candidates.push_back(Candidate{squared_length(e), e});
+        candidates.push_back(Candidate{squared_length(e, m_mesh, m_embedding), e});
     return split(std::move(candidates));
   }
 
@@ -76,6 +77,7 @@ private:
     double squared_length;
     Edge_index edge;
     Vertex middle;
+    typename Mesh::Sides sides; // of a middle between two regions
     bool is_good = false;
   };
 
@@ -97,11 +99,6 @@ private:
     return number_of_splits;
   }
 
-  double squared_length(const Edge_index e) const
-  {
-    return m_embedding.squared_length(m_mesh.point(m_mesh.vertex(e, 0)), m_mesh.point(m_mesh.vertex(e, 1)));
-  }
-
   // the longest first
   std::vector<Candidate> long_edges(const double limit, const std::size_t maximum) const
   {
@@ -109,7 +106,7 @@ private:
         m_mesh,
         [&](const Edge_index e)
         {
-          const double length = squared_length(e);
+          const double length = squared_length(e, m_mesh, m_embedding);
           return length > limit ? -length : no_key;
         },
         m_interruption);
@@ -124,53 +121,82 @@ private:
   void place_middle(Candidate& candidate) const
   {
     const Halfedge_index h = m_mesh.halfedge(candidate.edge);
-    const Vertex &a = m_mesh.point(m_mesh.source(h)), &b = m_mesh.point(m_mesh.target(h));
     if (m_mesh.is_on_curve(candidate.edge))
-      place_on_curve(m_mesh.arc(h), candidate.middle);
-    else
-      place_on_surface(a, b, candidate.middle);
-    m_embedding.place_between(a, b, candidate.middle);
+    {
+      place_on_curve(h, candidate);
+      candidate.is_good = is_good_middle(h, candidate) && is_good_middle(m_mesh.opposite(h), candidate);
+      return;
+    }
+    place_on_surface(h, candidate.middle);
+    candidate.is_good = is_good_middle(h, candidate);
+  }
+
+  // as the face of h, or the one beyond it, sees it
+  bool is_good_middle(const Halfedge_index h, const Candidate& candidate) const
+  {
+    const Vertex &a = m_mesh.state(m_mesh.source(h), h), &b = m_mesh.state(m_mesh.target(h), h), &middle = state(candidate, h);
     const double largest = largest_half * largest_half * candidate.squared_length;
-    candidate.is_good = m_embedding.squared_length(a, candidate.middle) < largest &&
-                        m_embedding.squared_length(candidate.middle, b) < largest &&
-                        candidate.middle.normal.dot(a.normal + b.normal) > 0;
+    return m_embedding.squared_length(a, middle) < largest && m_embedding.squared_length(middle, b) < largest &&
+           middle.normal.dot(a.normal + b.normal) > 0;
   }
 
-  void place_on_curve(const Curve_arc& arc, Vertex& middle) const
+  const Vertex& state(const Candidate& candidate, const Halfedge_index h) const
   {
+    return candidate.middle.is_on_crease ? Mesh::side(candidate.sides, m_mesh.region(h)) : candidate.middle;
+  }
+
+  void place_on_curve(const Halfedge_index h, Candidate& candidate) const
+  {
+    const Curve_arc arc = m_mesh.arc(h);
+    const Region region = m_mesh.region(h), beyond = m_mesh.region(m_mesh.opposite(h));
+    Vertex& middle = candidate.middle;
     middle.is_on_curve = true;
-    middle.point = m_curves.point(arc.curve, 0.5 * (arc.source + arc.target));
-    m_projection.update_normal(middle);
+    if (region != beyond)
+    {
+      middle.is_on_crease = true;
+      for (const Region r : {(std::min)(region, beyond), (std::max)(region, beyond)})
+        candidate.sides.push_back(Crease_side<Vertex>{r, middle});
+    }
+    middle.point = m_curves.point(arc.curve, 0.5 * (arc.source + arc.target), candidate.sides);
+    m_curves.update(middle, region, candidate.sides,
+                    [&](Vertex& vertex, const Region r)
+                    {
+                      const Halfedge_index side = r == region ? h : m_mesh.opposite(h);
+                      m_embedding.place_between(m_mesh.state(m_mesh.source(h), side), m_mesh.state(m_mesh.target(h), side),
+                                                vertex);
+                    });
   }
 
-  void place_on_surface(const Vertex& a, const Vertex& b, Vertex& middle) const
+  void place_on_surface(const Halfedge_index h, Vertex& middle) const
   {
+    const Vertex &a = m_mesh.state(m_mesh.source(h), h), &b = m_mesh.state(m_mesh.target(h), h);
     const Vector edge = b.point - a.point;
     middle.point = 0.5 * (a.point + b.point);
     middle.normal = 0.5 * (a.normal + b.normal);
     // the height of the circular arc with these normals over its chord
     if (a.normal.dot(b.normal) > 0)
       middle.point += (b.normal - a.normal).dot(edge) / 8 * middle.normal.normalized();
-    m_projection.project_roughly(middle, 0.5 * edge.norm(), 0.02 * edge.norm());
+    m_projection.project_roughly(middle, m_mesh.region(h), 0.5 * edge.norm(), 0.02 * edge.norm());
+    m_embedding.place_between(a, b, middle);
   }
 
   // guard 1
   bool is_allowed(const Candidate& candidate) const
   {
     const Halfedge_index h = m_mesh.halfedge(candidate.edge);
-    return is_allowed(h, candidate.middle) && is_allowed(m_mesh.opposite(h), candidate.middle) &&
+    return is_allowed(h, candidate) && is_allowed(m_mesh.opposite(h), candidate) &&
            m_guard.accepts(subdivision(h, candidate.middle));
   }
 
-  bool is_allowed(const Halfedge_index h, const Vertex& middle) const
+  bool is_allowed(const Halfedge_index h, const Candidate& candidate) const
   {
     if (m_mesh.is_border(h))
       return true;
-    const Triangle t(h, m_mesh);
-    const Vertex &a = m_mesh.point(t.a), &b = m_mesh.point(t.b), &c = m_mesh.point(t.c);
-    const double before = Face_guard::quality(a, b, c);
-    return Face_guard::accepts(Face_guard::quality(a, middle, c), before) &&
-           Face_guard::accepts(Face_guard::quality(middle, b, c), before);
+    const Corners<Mesh> t(h, m_mesh);
+    const Vertex& middle = state(candidate, h);
+    const double before = Face_guard::quality(t.a, t.b, t.c);
+    return Face_guard::accepts(Face_guard::quality(t.a, middle, t.c), before) &&
+           Face_guard::accepts(Face_guard::quality(middle, t.b, t.c), before);
   }
 
   // what splitting h changes
@@ -197,6 +223,7 @@ private:
     const double middle = 0.5 * (arc.source + arc.target);
     const Halfedge_index from = CGAL::Euler::split_edge(to, m_mesh.graph());
     m_mesh.point(m_mesh.target(from)) = candidate.middle;
+    m_mesh.sides(m_mesh.target(from)) = candidate.sides;
     m_mesh.set_arc(from, Curve_arc{arc.curve, arc.source, middle});
     m_mesh.set_arc(to, Curve_arc{arc.curve, middle, arc.target});
     if (!m_mesh.is_border(from))
@@ -218,7 +245,7 @@ private:
   Mesh& m_mesh;
   const Embedding& m_embedding;
   const Projection& m_projection;
-  const Curve_network& m_curves;
+  const Curve_placement<Embedding, Projection> m_curves;
   const Guard& m_guard;
   Interruption& m_interruption;
 };

@@ -34,7 +34,7 @@ namespace internal {
 template <typename Embedding>
 constexpr bool is_metric = std::is_base_of<Metric_tensor, typename Embedding::Vertex_data>::value;
 
-// Gives every vertex the metric of the curvature around it, bounds the lengths that edges can have by it, and limits how fast
+// Gives every vertex, on a crease every side of it, the metric of the curvature around it, bounds the lengths that edges can have by it, and limits how fast
 // it changes: Alauzet, Size gradation control of anisotropic meshes, Finite Elements in Analysis and Design 46, 2010. What a
 // vertex gets does not depend on the order of the vertices.
 template <typename ConcurrencyTag, typename Mesh, typename Metric>
@@ -58,35 +58,58 @@ public:
 
   void operator()()
   {
-    m_metrics.resize(vertex_capacity(m_mesh));
-    for_each_vertex([&](const Vertex_index v) { m_metrics[v] = metric_of_curvature(v); });
+    number_places();
+    m_metrics.resize(m_places.size());
+    for_each_place([&](const std::size_t i) { m_metrics[i] = metric_of_curvature(m_places[i]); });
     if (m_length > 0)
       limit_gradation();
     if (m_interruption.is_requested())
       return;
-    for_each_vertex([&](const Vertex_index v) { store(v); });
+    for_each_place([&](const std::size_t i) { store(m_places[i], m_metrics[i]); });
   }
 
 private:
   static double square(const double x) { return x * x; }
 
-  template <typename Function>
-  void for_each_vertex(const Function& f)
+  // A place has a metric: a vertex, or a side of one on a crease. It is told by a halfedge that ends at the vertex, in the face of
+  // which it counts.
+  void number_places()
   {
-    parallel_for<ConcurrencyTag>(
-        vertex_capacity(m_mesh),
-        [&](const std::size_t i)
-        {
-          const Vertex_index v(static_cast<Vertex_index::size_type>(i));
-          if (!m_mesh.is_removed(v))
-            f(v);
-        },
-        64, m_interruption);
+    m_first_places.resize(vertex_capacity(m_mesh));
+    for (const Vertex_index v : m_mesh.vertices())
+    {
+      m_first_places[v] = m_places.size();
+      if (!m_mesh.point(v).is_on_crease)
+        m_places.push_back(m_mesh.halfedge(v));
+      for (const auto& side : m_mesh.sides(v))
+        for (const Halfedge_index h : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
+          if (m_mesh.region(h) == side.region)
+          {
+            m_places.push_back(h);
+            break;
+          }
+    }
   }
 
-  Eigen::Matrix2d metric_of_curvature(const Vertex_index v) const
+  // of a vertex, to the face of h
+  std::size_t place(const Vertex_index v, const Halfedge_index h) const
   {
-    const Eigen::Matrix2d shape_operator = shape_operator_at(v, m_mesh);
+    std::size_t i = m_first_places[v];
+    if (m_mesh.point(v).is_on_crease)
+      while (m_mesh.region(m_places[i]) != m_mesh.region(h))
+        ++i;
+    return i;
+  }
+
+  template <typename Function>
+  void for_each_place(const Function& f)
+  {
+    parallel_for<ConcurrencyTag>(m_places.size(), f, 64, m_interruption);
+  }
+
+  Eigen::Matrix2d metric_of_curvature(const Halfedge_index in) const
+  {
+    const Eigen::Matrix2d shape_operator = shape_operator_at(in, m_mesh);
     Eigen::Matrix2d metric = m_metric.of_shape_operator(shape_operator);
     if (!(m_length > 0))
       return metric;
@@ -102,7 +125,7 @@ private:
     for (int sweep = 0; sweep < maximum_number_of_sweeps; ++sweep)
     {
       std::vector<Eigen::Matrix2d> next = m_metrics;
-      for_each_vertex([&](const Vertex_index v) { is_changed_next[v] = limit(v, is_changed, next[v]); });
+      for_each_place([&](const std::size_t i) { is_changed_next[i] = limit(m_places[i], is_changed, next[i]); });
       if (m_interruption.ask())
         return;
       m_metrics.swap(next);
@@ -113,16 +136,19 @@ private:
   }
 
   // by the neighbours that have changed; whether that is worth another sweep
-  bool limit(const Vertex_index v, const std::vector<char>& is_changed, Eigen::Matrix2d& metric) const
+  bool limit(const Halfedge_index in, const std::vector<char>& is_changed, Eigen::Matrix2d& metric) const
   {
     const double area_before = metric.determinant();
-    const Tangent_frame frame = tangent_frame(m_mesh.point(v).normal);
-    for (const Halfedge_index h : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
+    const auto& to = m_mesh.state(m_mesh.target(in), in);
+    const Tangent_frame frame = tangent_frame(to.normal);
+    for (const Halfedge_index h : m_mesh.halfedges_around_target(in))
     {
-      const Vertex_index u = m_mesh.source(h);
+      if (to.is_on_crease && m_mesh.region(h) != m_mesh.region(in) && m_mesh.region(m_mesh.opposite(h)) != m_mesh.region(in))
+        continue; // in another region
+      const std::size_t u = place(m_mesh.source(h), in);
       if (!is_changed[u])
         continue;
-      const auto &from = m_mesh.point(u), &to = m_mesh.point(v);
+      const auto& from = m_mesh.state(m_mesh.source(h), in);
       if (!(from.normal.dot(to.normal) > 0))
         continue; // across a fold of the surface the planes have no directions in common
       const Tangent_frame other = tangent_frame(from.normal);
@@ -145,15 +171,31 @@ private:
     return Matrix::Identity() + cross + cross * cross / (1 + a.dot(b));
   }
 
-  void store(const Vertex_index v)
+  void store(const Halfedge_index in, const Eigen::Matrix2d& metric)
   {
-    auto& vertex = m_mesh.point(v);
+    const Vertex_index v = m_mesh.target(in);
+    if (!m_mesh.point(v).is_on_crease)
+    {
+      store(metric, m_mesh.point(v));
+      return;
+    }
+    typename Mesh::Sides& sides = m_mesh.sides(v);
+    for (std::size_t k = 0; k < sides.size(); ++k)
+      if (sides[k].region == m_mesh.region(in))
+      {
+        store(metric, sides[k].vertex);
+        if (k == 0)
+          m_mesh.point(v) = sides[k].vertex;
+      }
+  }
+
+  static void store(const Eigen::Matrix2d& metric, typename Mesh::Vertex& vertex)
+  {
     const Tangent_frame frame = tangent_frame(vertex.normal);
     // across the surface as along its shortest edges: two sheets that face each other do not count as near
-    const double across =
-        0.5 * (m_metrics[v].trace() + std::sqrt((std::max)(square(m_metrics[v].trace()) - 4 * m_metrics[v].determinant(), 0.)));
+    const double across = 0.5 * (metric.trace() + std::sqrt((std::max)(square(metric.trace()) - 4 * metric.determinant(), 0.)));
     static_cast<Metric_tensor&>(vertex) =
-        Metric_tensor(frame * m_metrics[v] * frame.transpose() + across * vertex.normal * vertex.normal.transpose());
+        Metric_tensor(frame * metric * frame.transpose() + across * vertex.normal * vertex.normal.transpose());
   }
 
   Mesh& m_mesh;
@@ -161,7 +203,9 @@ private:
   const double m_length;
   const double m_least, m_largest; // eigenvalues
   Interruption& m_interruption;
-  std::vector<Eigen::Matrix2d> m_metrics; // in tangent_frame(normal)
+  std::vector<Halfedge_index> m_places;
+  std::vector<std::size_t> m_first_places; // of the vertices
+  std::vector<Eigen::Matrix2d> m_metrics;  // of the places, in tangent_frame(normal)
 };
 
 } // namespace internal
