@@ -20,11 +20,18 @@ namespace hde_remesh {
 namespace {
 
 // to first order
-double distance(const Function_view& function, const Point_3& p)
+double distance(const Function_view::Piece& function, const Point_3& p)
 {
   const auto [value, gradient] = function.value_and_gradient(p);
   const double slope = std::sqrt(gradient.squared_length());
   return slope > 0 ? std::abs(value) / slope : std::abs(value);
+}
+
+Vector_3 unit_normal(const Function_view::Piece& function, const Point_3& p)
+{
+  const Vector_3 gradient = function.gradient(p);
+  const double slope = std::sqrt(gradient.squared_length());
+  return slope > 0 ? gradient / slope : Vector_3(0, 0, 0);
 }
 
 // the least angle of a triangle with sides of these squared lengths, opposite to the shortest one
@@ -43,30 +50,39 @@ double smallest_angle(std::array<double, 3> squared_lengths)
 Element_figures figures_of_elements(const Mesh& mesh, const Function_view& function, const double sigma)
 {
   Element_figures figures;
+  const Creases creases = creases_of(mesh);
+  // of the face of h, or of that beyond it on the boundary
+  const auto piece = [&](const Mesh::Halfedge_index h) -> const Function_view::Piece&
+  { return function.piece(creases.region[mesh.face(mesh.is_border(h) ? mesh.opposite(h) : h)]); };
   std::vector<std::size_t> numbers(mesh.num_vertices()); // removed ones included
   for (const Mesh::Vertex_index v : mesh.vertices())
   {
     numbers[v] = figures.normals.size();
-    const Vector_3 gradient = function.gradient(mesh.point(v));
-    const double slope = std::sqrt(gradient.squared_length());
-    figures.normals.push_back(slope > 0 ? gradient / slope : Vector_3(0, 0, 0));
-    figures.vertex_distances.push_back(distance(function, mesh.point(v)));
+    // a vertex on a crease has one value only here: that of one of its regions
+    const Function_view::Piece& at_vertex = piece(mesh.halfedge(v));
+    figures.normals.push_back(unit_normal(at_vertex, mesh.point(v)));
+    figures.vertex_distances.push_back(distance(at_vertex, mesh.point(v)));
   }
+  const auto normal = [&](const Mesh::Vertex_index v, const Mesh::Halfedge_index h)
+  { return &piece(h) == &piece(mesh.halfedge(v)) ? figures.normals[numbers[v]] : unit_normal(piece(h), mesh.point(v)); };
   const auto squared_length = [&](const Mesh::Halfedge_index h)
   {
     const Mesh::Vertex_index a = mesh.source(h), b = mesh.target(h);
     return CGAL::squared_distance(mesh.point(a), mesh.point(b)) +
-           sigma * sigma * (figures.normals[numbers[a]] - figures.normals[numbers[b]]).squared_length();
+           sigma * sigma * (normal(a, h) - normal(b, h)).squared_length();
   };
   for (const Mesh::Edge_index e : mesh.edges())
-    figures.edge_lengths.push_back(std::sqrt(squared_length(mesh.halfedge(e))));
+  {
+    const Mesh::Halfedge_index h = mesh.halfedge(e);
+    figures.edge_lengths.push_back(std::sqrt((std::max)(squared_length(h), squared_length(mesh.opposite(h)))));
+  }
   for (const Mesh::Face_index f : mesh.faces())
   {
     const Mesh::Halfedge_index h = mesh.halfedge(f), g = mesh.next(h), k = mesh.next(g);
     const Point_3 &a = mesh.point(mesh.target(h)), &b = mesh.point(mesh.target(g)), &c = mesh.point(mesh.target(k));
     figures.aspect_ratios.push_back(CGAL::Anisotropic_hde_remeshing::aspect_ratio(a, b, c));
     figures.smallest_angles.push_back(smallest_angle({squared_length(h), squared_length(g), squared_length(k)}));
-    figures.face_distances.push_back(distance(function, CGAL::centroid(a, b, c)));
+    figures.face_distances.push_back(distance(piece(h), CGAL::centroid(a, b, c)));
   }
   return figures;
 }

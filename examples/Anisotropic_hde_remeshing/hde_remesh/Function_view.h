@@ -1,30 +1,37 @@
-// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
-//
-// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
-//
-// SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : The Anisotropic_hde_remeshing developers
-
 #ifndef HDE_REMESH_FUNCTION_VIEW_H
 #define HDE_REMESH_FUNCTION_VIEW_H
 
 #include "Soup.h"
 
+#include <cstddef>
 #include <functional>
 #include <utility>
+#include <vector>
 
 namespace hde_remesh {
 
-// Any implicit function behind one type, so that what measures it is compiled once for all kernels. A model of
-// ImplicitFunctionWithGradient.
+// A smooth function, or one of several smooth pieces, of any type.
 class Function_view
 {
 public:
-  typedef Kernel::FT FT;
-  typedef Kernel::Point_3 Point;
-  typedef Kernel::Point_3 Point_3;
-  typedef Kernel::Vector_3 Vector_3;
+  class Piece
+  {
+  public:
+    typedef Kernel::FT FT;
+    typedef Kernel::Point_3 Point;
+    typedef Kernel::Point_3 Point_3;
+    typedef Kernel::Vector_3 Vector_3;
+    typedef std::function<std::pair<FT, Vector_3>(const Point_3&)> Evaluate;
+
+    explicit Piece(Evaluate evaluate) : m_evaluate(std::move(evaluate)) {}
+
+    FT operator()(const Point_3& p) const { return m_evaluate(p).first; }
+    Vector_3 gradient(const Point_3& p) const { return m_evaluate(p).second; }
+    std::pair<FT, Vector_3> value_and_gradient(const Point_3& p) const { return m_evaluate(p); }
+
+  private:
+    Evaluate m_evaluate;
+  };
 
   Function_view() = default;
 
@@ -33,16 +40,24 @@ public:
   static Function_view of(const Function& function)
   {
     Function_view view;
-    view.m_evaluate = [function](const Point_3& p) { return function.value_and_gradient(p); };
+    view.m_pieces.emplace_back([function](const Point_3& p) { return function.value_and_gradient(p); });
     return view;
   }
 
-  FT operator()(const Point_3& p) const { return m_evaluate(p).first; }
-  Vector_3 gradient(const Point_3& p) const { return m_evaluate(p).second; }
-  std::pair<FT, Vector_3> value_and_gradient(const Point_3& p) const { return m_evaluate(p); }
+  template <typename Function>
+  static Function_view of_pieces(const Function& function)
+  {
+    Function_view view;
+    for (std::size_t i = 0; i < function.number_of_pieces(); ++i)
+      view.m_pieces.emplace_back([function, i](const Point_3& p) { return function.piece(i).value_and_gradient(p); });
+    return view;
+  }
+
+  std::size_t number_of_pieces() const { return m_pieces.size(); }
+  const Piece& piece(const std::size_t i) const { return m_pieces[i]; }
 
 private:
-  std::function<std::pair<FT, Vector_3>(const Point_3&)> m_evaluate;
+  std::vector<Piece> m_pieces;
 };
 
 } // namespace hde_remesh

@@ -240,6 +240,8 @@ Mesh mesh_with_arrays(const Soup& soup)
 namespace {
 
 const char* name_of_field = "v:hde_remesh_field";
+const char* name_of_creases = "e:hde_remesh_crease";
+const char* name_of_regions = "f:hde_remesh_region";
 
 } // namespace
 
@@ -253,6 +255,18 @@ std::optional<Field> field_of(const Mesh& mesh)
   const auto found = mesh.property_map<Mesh::Vertex_index, double>(name_of_field);
   return found.second ? std::optional<Field>(found.first) : std::nullopt;
 #endif
+}
+
+Creases add_creases(Mesh& mesh)
+{
+  return Creases{mesh.add_property_map<Mesh::Edge_index, bool>(name_of_creases, false).first,
+                 mesh.add_property_map<Mesh::Face_index, std::size_t>(name_of_regions, 0).first};
+}
+
+Creases creases_of(const Mesh& mesh)
+{
+  return Creases{mesh.property_map<Mesh::Edge_index, bool>(name_of_creases).first,
+                 mesh.property_map<Mesh::Face_index, std::size_t>(name_of_regions).first};
 }
 
 } // namespace hde_remesh

@@ -46,6 +46,15 @@ typedef Mesh::Property_map<Mesh::Vertex_index, double> Field;
 Field add_field(Mesh& mesh);
 std::optional<Field> field_of(const Mesh& mesh);
 
+// the edges and faces of a mesh that has them: whether an edge is a crease, and the region of a face
+struct Creases
+{
+  Mesh::Property_map<Mesh::Edge_index, bool> is_crease;
+  Mesh::Property_map<Mesh::Face_index, std::size_t> region;
+};
+Creases add_creases(Mesh& mesh); // none, and one region
+Creases creases_of(const Mesh& mesh);
+
 } // namespace hde_remesh
 
 #endif // HDE_REMESH_MESH_H

@@ -12,6 +12,7 @@
 #include "Figures.h"
 #include "repair.h"
 
+#include <CGAL/Anisotropic_hde_remeshing/Piecewise_rbf_diagnostics.h>
 #include <CGAL/Anisotropic_hde_remeshing/Rbf_diagnostics.h>
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_result.h>
 
@@ -37,6 +38,8 @@ struct Report
   std::optional<double> error; // asked for
   Hde::Remeshing_result result;
   Hde::Rbf_diagnostics rbf;
+  std::optional<double> sharp;                          // the angle asked for, in degrees
+  std::optional<Hde::Piecewise_rbf_diagnostics> pieces; // in the place of `rbf`, if it was asked for
   Figures before, after;
   std::optional<Hde::Distance_measures> distance;     // first: the output, second: the input
   std::vector<std::pair<std::string, double>> stages; // their names and wall times in seconds

@@ -13,8 +13,10 @@
 #include "Mesh.h"
 #include "options.h"
 
+#include <CGAL/Anisotropic_hde_remeshing/Piecewise_rbf_diagnostics.h>
 #include <CGAL/Anisotropic_hde_remeshing/Rbf_diagnostics.h>
 
+#include <optional>
 #include <string>
 
 namespace hde_remesh {
@@ -24,6 +26,7 @@ struct Built_function
   Function_view function;
   std::string kernel;
   CGAL::Anisotropic_hde_remeshing::Rbf_diagnostics rbf;
+  std::optional<CGAL::Anisotropic_hde_remeshing::Piecewise_rbf_diagnostics> pieces; // in its place with --sharp
 };
 
 // Builds the function of the mesh with the kernel that the options name.

@@ -11,6 +11,7 @@
 
 #include "build_function.h"
 
+#include <CGAL/Piecewise_rbf_implicit_function.h>
 #include <CGAL/Radial_basis_functions.h>
 #include <CGAL/Rbf_implicit_function.h>
 
@@ -32,10 +33,29 @@ RadialFunction radial_function(const Options& o)
     return RadialFunction();
 }
 
+template <typename RadialFunction, typename NamedParameters>
+Built_function build_with_parameters(const Mesh& mesh, const Options& o, const NamedParameters& np)
+{
+  Built_function result;
+  result.kernel = RadialFunction::name();
+  if (o.sharp)
+  {
+    const CGAL::Piecewise_rbf_implicit_function<Kernel, RadialFunction> function(mesh, creases_of(mesh).region, np);
+    result.function = Function_view::of_pieces(function);
+    result.pieces = function.diagnostics();
+  }
+  else
+  {
+    const CGAL::Rbf_implicit_function<Kernel, RadialFunction> function(mesh, np);
+    result.function = Function_view::of(function);
+    result.rbf = function.diagnostics();
+  }
+  return result;
+}
+
 template <typename RadialFunction>
 Built_function build_with(const Mesh& mesh, const Options& o)
 {
-  typedef CGAL::Rbf_implicit_function<Kernel, RadialFunction> Function;
   // what the library has where nothing is given
   const CGAL::Anisotropic_hde_remeshing::internal::Interpolation_parameters defaults;
   const auto np =
@@ -44,8 +64,8 @@ Built_function build_with(const Mesh& mesh, const Options& o)
           .number_of_patches(o.patches ? static_cast<std::size_t>(*o.patches) : defaults.patches_of(mesh.number_of_vertices()))
           .patch_overlap(o.overlap.value_or(defaults.patch_overlap))
           .smoothing(o.smoothing.value_or(defaults.smoothing));
-  const Function function = o.offset ? Function(mesh, np.offset_distance(*o.offset)) : Function(mesh, np);
-  return Built_function{Function_view::of(function), RadialFunction::name(), function.diagnostics()};
+  return o.offset ? build_with_parameters<RadialFunction>(mesh, o, np.offset_distance(*o.offset))
+                  : build_with_parameters<RadialFunction>(mesh, o, np);
 }
 
 } // namespace hde_remesh

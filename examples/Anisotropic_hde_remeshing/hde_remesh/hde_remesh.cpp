@@ -14,6 +14,7 @@
 #include "Report.h"
 #include "Stopwatch.h"
 #include "Whole_file.h"
+#include "creases.h"
 #include "field_file.h"
 #include "measure.h"
 #include "mesh_file.h"
@@ -99,6 +100,7 @@ Checked_mesh read_mesh(const Options& options, Report& report)
                   ", with which nobody can compute");
   if (!options.field.empty())
     read_field(options, input);
+  find_creases(input.mesh, options);
   return input;
 }
 
@@ -183,6 +185,8 @@ void describe(const Options& options, const Checked_mesh& input, const Sizes& si
   report.number_of_target_faces = sizes.number_of_faces;
   report.result = remeshed.result;
   report.rbf = remeshed.rbf;
+  report.sharp = options.sharp;
+  report.pieces = remeshed.pieces;
 }
 
 void write_beside(const std::string& file_name, const std::string& text)

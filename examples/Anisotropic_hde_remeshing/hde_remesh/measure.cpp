@@ -47,15 +47,15 @@ double diagonal(const Mesh& mesh)
 Figures measure(const Mesh& mesh, const Function_view& function, const double sigma, const double target_edge_length,
                 const bool with_self_intersections)
 {
-  const auto np = CGAL::parameters::sigma(sigma);
+  const auto np = CGAL::parameters::sigma(sigma).face_patch_map(creases_of(mesh).region);
   Figures figures;
   figures.topology = Hde::measure_topology(mesh);
   figures.shape = Hde::measure_shape(mesh);
   figures.embedding = Hde::measure_embedding<Tag>(mesh, function, np);
   figures.embedding_to_target = Hde::measure_embedding<Tag>(mesh, function, np.target_edge_length(target_edge_length));
-  figures.alignment = Hde::measure_alignment<Tag>(mesh, function);
-  figures.zero_set = Hde::measure_distance_to_zero_set<Tag>(mesh, function);
-  figures.bounds = Hde::approximation_bounds<Tag>(mesh, function);
+  figures.alignment = Hde::measure_alignment<Tag>(mesh, function, np);
+  figures.zero_set = Hde::measure_distance_to_zero_set<Tag>(mesh, function, np);
+  figures.bounds = Hde::approximation_bounds<Tag>(mesh, function, np);
   if (with_self_intersections)
     figures.self_intersections = number_of_self_intersections(mesh);
   return figures;

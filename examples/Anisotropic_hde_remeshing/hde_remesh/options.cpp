@@ -49,7 +49,8 @@ const char* help_footer()
          "  hde_remesh scan.obj out.off --length .5 --scheme paper\n"
          "  hde_remesh bunny.off out.off --error .001            within a thousandth of D\n"
          "  hde_remesh bunny.off out.vtp --arrays --report out.html\n"
-         "  hde_remesh part.stl out.stl --metric 2 --faces 5000 --fit\n\n"
+         "  hde_remesh part.stl out.stl --metric 2 --faces 5000 --fit\n"
+         "  hde_remesh part.stl out.stl --sharp 30 --sigma .03   edges and corners are kept\n\n"
          "Exit status: 0 done; 1 the input, a value or the output cannot be used; 2 the command line\n"
          "cannot be understood; 130 cancelled by Ctrl-C. OUT and FILE are written whole or not at all:\n"
          "without exit status 0, files of these names are as they were, but where the message says so.";
@@ -146,6 +147,11 @@ void add_function_options(CLI::App& app, Options& o)
 void add_remeshing_options(CLI::App& app, Options& o)
 {
   const std::string group = "The remeshing";
+  app.add_option("--sharp", o.sharp,
+                 "keep edges at which triangles of IN turn by DEGREES or more, and their corners: the surface is smooth\n"
+                 "between them only (default: it is smooth everywhere). 20 to 40 suits mechanical parts")
+      ->type_name("DEGREES")
+      ->group(group);
   app.add_option("--scheme", o.scheme, "default, or paper: Algorithm 2 of Dassi, Farrell and Si")
       ->check(CLI::IsMember({"default", "paper"}))
       ->group(group);
@@ -216,6 +222,7 @@ void check_values(const Options& o)
   require_length("--tau", o.tau, true);
   require("--field", o.adaptive_sigma ? std::optional<std::string>(o.field) : std::nullopt, o.field.empty(),
           "left out with --sigma auto");
+  require("--sharp", o.sharp, o.sharp && *o.sharp > 0 && *o.sharp < 180, "above 0 and below 180 degrees");
   require_length("--error", o.error);
   require_length("--absolute-error", o.absolute_error);
   require_length("--length", o.length);

@@ -25,6 +25,7 @@ struct Options
   std::string field;            // the name of a vertex property
   std::optional<double> tau;
   std::optional<double> error, absolute_error; // a fraction of the diagonal; a length
+  std::optional<double> sharp;                 // an angle in degrees
   bool fit = false, avoid_self_intersections = false;
   std::optional<long long> faces, vertices; // signed, so that a negative count can be named
   std::optional<double> length;

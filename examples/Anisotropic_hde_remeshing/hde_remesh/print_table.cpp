@@ -49,6 +49,8 @@ public:
   {
     row("", "before", "after");
     print_topology(m_report.before.topology, m_report.after.topology);
+    if (m_report.sharp)
+      print_features(m_report.result.curves_before, m_report.result.curves_after);
     print_shape(m_report.before.shape, m_report.after.shape);
     print_embedding(m_report.before.embedding, m_report.after.embedding);
     print_alignment(m_report.before.alignment, m_report.after.alignment);
@@ -76,6 +78,14 @@ private:
     row("boundary loops", text(before.number_of_boundary_loops), text(after.number_of_boundary_loops));
     row("Euler characteristic", std::to_string(before.euler_characteristic), std::to_string(after.euler_characteristic));
     row("interior vertices with 6 edges", percent(before.valence_6_share), percent(after.valence_6_share));
+  }
+
+  void print_features(const Hde::Feature_curves& before, const Hde::Feature_curves& after)
+  {
+    row("regions between creases", text(m_report.result.number_of_regions), text(m_report.result.number_of_regions));
+    row("feature curves, boundaries included", text(before.number_of_curves), text(after.number_of_curves));
+    row("corners", text(before.number_of_corners), text(after.number_of_corners));
+    row("length of the feature curves", number(before.length, 6), number(after.length, 6));
   }
 
   void print_shape(const Hde::Shape_measures& before, const Hde::Shape_measures& after)
@@ -157,15 +167,10 @@ private:
   void print_work()
   {
     const Hde::Remeshing_result& result = m_report.result;
-    const Hde::Rbf_diagnostics& rbf = m_report.rbf;
-    m_stream << "function: " << m_report.kernel << ", " << rbf.number_of_points << " points, " << rbf.number_of_patches
-             << " patches of " << fixed(rbf.mean_centres, 0) << " centres (at most " << rbf.max_centres << "), "
-             << fixed(static_cast<double>(rbf.memory_bytes) / 1e6, 1) << " MB, residual " << number(rbf.worst_residual, 2)
-             << '\n';
-    m_stream << "self-check: " << rbf.patches_repaired << " patches repaired, " << rbf.patches_on_fallback
-             << " answered by the input itself, " << rbf.number_of_failed_checks
-             << " checks of the others failed; solved with ridge " << rbf.patches_with_ridge << ", by LU "
-             << rbf.patches_with_lu << "; " << rbf.number_of_shortened_offsets << " offsets shortened\n";
+    if (m_report.pieces)
+      print_pieces(*m_report.pieces);
+    else
+      print_function(m_report.rbf);
     m_stream << "remeshing: " << result.number_of_iterations << " iterations, " << result.number_of_splits << " splits, "
              << result.number_of_collapses << " contractions, " << result.number_of_flips << " flips; " << m_report.embedding
              << '\n';
@@ -183,6 +188,30 @@ private:
           << " vertices are near the surface only: the last way to it would have folded a face or made it intersect others\n";
     m_stream << "D = " << number(m_report.diagonal, 6) << ", the diagonal of the bounding box\n";
     m_stream << m_report.input << " -> " << m_report.output << '\n';
+  }
+
+  void print_pieces(const Hde::Piecewise_rbf_diagnostics& pieces)
+  {
+    m_stream << "function: " << m_report.kernel << ", " << pieces.number_of_regions << " regions: " << pieces.number_of_fields
+             << " fields, " << pieces.number_of_planes << " planes, " << pieces.number_of_closest_point_regions
+             << " too small for a field, " << pieces.number_of_regions_without_area << " without area; "
+             << pieces.number_of_points << " points, " << pieces.number_of_patches << " patches, "
+             << fixed(static_cast<double>(pieces.memory_bytes) / 1e6, 1) << " MB, residual " << number(pieces.worst_residual, 2)
+             << '\n';
+    m_stream << "self-check: " << pieces.patches_repaired << " patches repaired, " << pieces.patches_on_fallback
+             << " answered by the input itself, " << pieces.number_of_failed_checks << " checks of the others failed\n";
+  }
+
+  void print_function(const Hde::Rbf_diagnostics& rbf)
+  {
+    m_stream << "function: " << m_report.kernel << ", " << rbf.number_of_points << " points, " << rbf.number_of_patches
+             << " patches of " << fixed(rbf.mean_centres, 0) << " centres (at most " << rbf.max_centres << "), "
+             << fixed(static_cast<double>(rbf.memory_bytes) / 1e6, 1) << " MB, residual " << number(rbf.worst_residual, 2)
+             << '\n';
+    m_stream << "self-check: " << rbf.patches_repaired << " patches repaired, " << rbf.patches_on_fallback
+             << " answered by the input itself, " << rbf.number_of_failed_checks
+             << " checks of the others failed; solved with ridge " << rbf.patches_with_ridge << ", by LU "
+             << rbf.patches_with_lu << "; " << rbf.number_of_shortened_offsets << " offsets shortened\n";
   }
 
   const Report& m_report;

@@ -89,6 +89,7 @@ Remeshed remesh(const Mesh& mesh, const Sizes& sizes, const Options& options, Pr
   remeshed.function = built.function;
   remeshed.kernel = built.kernel;
   remeshed.rbf = built.rbf;
+  remeshed.pieces = built.pieces;
   remeshed.mesh = mesh;
   is_listening() = 1;
   remeshed.result = remesh_with_embedding(remeshed.mesh, remeshed.function, sizes, options, progress);

@@ -14,6 +14,7 @@
 #include "options.h"
 #include "progress.h"
 
+#include <CGAL/Anisotropic_hde_remeshing/Piecewise_rbf_diagnostics.h>
 #include <CGAL/Anisotropic_hde_remeshing/Rbf_diagnostics.h>
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_result.h>
 
@@ -40,6 +41,7 @@ struct Remeshed
   std::string kernel;
   double function_seconds = 0;
   CGAL::Anisotropic_hde_remeshing::Rbf_diagnostics rbf;
+  std::optional<CGAL::Anisotropic_hde_remeshing::Piecewise_rbf_diagnostics> pieces; // in its place with --sharp
   CGAL::Anisotropic_hde_remeshing::Remeshing_result result;
 };
 

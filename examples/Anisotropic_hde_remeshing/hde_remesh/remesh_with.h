@@ -34,15 +34,21 @@ Remeshing_result remesh_with_all(Mesh& mesh, const Function_view& function, cons
 {
   // what the scheme has where nothing is given
   const auto defaults = CGAL::Anisotropic_hde_remeshing::internal::remeshing_parameters(np);
-  return CGAL::anisotropic_hde_remeshing<CGAL::Parallel_if_available_tag>(
+  const Creases creases = creases_of(mesh);
+  const Remeshing_result result = CGAL::anisotropic_hde_remeshing<CGAL::Parallel_if_available_tag>(
       mesh, function,
-      np.number_of_iterations(o.iterations.value_or(defaults.number_of_iterations))
+      np.face_patch_map(creases.region)
+          .edge_is_constrained_map(creases.is_crease)
+          .number_of_iterations(o.iterations.value_or(defaults.number_of_iterations))
           .number_of_relaxation_steps(o.relaxation_steps.value_or(defaults.number_of_relaxation_steps))
           .smoothing_ratio(o.smoothing_ratio.value_or(defaults.smoothing_ratio))
           .collapse_ratio(o.collapse_ratio.value_or(defaults.collapse_ratio))
           .split_ratio(o.split_ratio.value_or(defaults.split_ratio))
           .fit_to_surface(o.fit)
           .do_self_intersection_tests(o.avoid_self_intersections));
+  if (mesh.has_garbage())
+    mesh.collect_garbage();
+  return result;
 }
 
 template <typename Embedding>

@@ -111,6 +111,29 @@ Json to_json(const Hde::Rbf_diagnostics& rbf)
           {"solve_seconds", rbf.solve_seconds}};
 }
 
+Json to_json(const Hde::Piecewise_rbf_diagnostics& pieces)
+{
+  return {{"regions", pieces.number_of_regions},
+          {"fields", pieces.number_of_fields},
+          {"planes", pieces.number_of_planes},
+          {"closest_point_regions", pieces.number_of_closest_point_regions},
+          {"regions_without_area", pieces.number_of_regions_without_area},
+          {"points", pieces.number_of_points},
+          {"patches", pieces.number_of_patches},
+          {"worst_residual", pieces.worst_residual},
+          {"worst_value_residual", pieces.worst_value_residual},
+          {"worst_condition", pieces.worst_condition},
+          {"patches_repaired", pieces.patches_repaired},
+          {"failed_checks", pieces.number_of_failed_checks},
+          {"patches_on_fallback", pieces.patches_on_fallback},
+          {"memory_bytes", pieces.memory_bytes}};
+}
+
+Json to_json(const Hde::Feature_curves& curves)
+{
+  return {{"curves", curves.number_of_curves}, {"corners", curves.number_of_corners}, {"length", curves.length}};
+}
+
 Json to_json(const Hde::Remeshing_result& result)
 {
   return {{"iterations", result.number_of_iterations},
@@ -159,6 +182,10 @@ std::string to_json(const Report& report)
   if (report.number_of_target_faces)
     json["target_faces"] = *report.number_of_target_faces;
   json["embedding"] = report.embedding;
+  json["regions"] = report.result.number_of_regions;
+  json["feature_curves"] = {{"before", to_json(report.result.curves_before)}, {"after", to_json(report.result.curves_after)}};
+  if (report.sharp)
+    json["sharp"] = *report.sharp;
   if (report.error)
   {
     json["error"] = *report.error;
@@ -173,7 +200,7 @@ std::string to_json(const Report& report)
   for (const auto& stage : report.stages)
     json["seconds"][stage.first] = stage.second;
   json["remeshing"] = to_json(report.result);
-  json["function"] = to_json(report.rbf);
+  json["function"] = report.pieces ? to_json(*report.pieces) : to_json(report.rbf);
   // a file name need not be UTF-8, which JSON is
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
