@@ -1,0 +1,799 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+// Sharp edges: creases, corners and flat faces are kept, and what is promised of every mesh holds between them.
+
+#include "creases.h"
+#include "promises.h"
+#include "remeshing_checks.h"
+
+#include <CGAL/Anisotropic_hde_remeshing/Curvature_metric.h>
+#include <CGAL/Anisotropic_hde_remeshing/Surface_regions.h>
+#include <CGAL/Piecewise_rbf_implicit_function.h>
+
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#  include <tbb/global_control.h>
+#endif
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace shapes;
+using namespace remeshing_checks;
+
+namespace PMP = CGAL::Polygon_mesh_processing;
+
+typedef CGAL::Parallel_if_available_tag Tag;
+// that of the one call, which is thus compiled but once
+typedef CGAL::Piecewise_rbf_implicit_function<CGAL::Simple_cartesian<double>, CGAL::Polyharmonic_rbf, Tag> Function;
+typedef Mesh::Property_map<Mesh::Edge_index, bool> Creases;
+typedef Mesh::Property_map<Mesh::Face_index, std::size_t> Regions;
+typedef Mesh::Property_map<Mesh::Vertex_index, bool> Fixed;
+
+// the maps of a mesh, which its copies have, too
+Creases creases_of(Mesh& mesh) { return mesh.add_property_map<Mesh::Edge_index, bool>("e:crease", false).first; }
+Regions regions_of(Mesh& mesh) { return mesh.add_property_map<Mesh::Face_index, std::size_t>("f:region", 0).first; }
+Fixed fixed_of(Mesh& mesh) { return mesh.add_property_map<Mesh::Vertex_index, bool>("v:fixed", false).first; }
+
+// --- remeshing ---
+
+// stops after some questions; counts them in all of its copies
+struct Limited_visitor : Hde::Remeshing_visitor
+{
+  std::size_t limit = std::numeric_limits<std::size_t>::max();
+  std::shared_ptr<std::size_t> questions = std::make_shared<std::size_t>(0);
+
+  bool go_further() { return (*questions)++ < limit; }
+};
+
+template <typename AnyFunction>
+struct Remeshing
+{
+  Mesh before, after; // with their maps
+  AnyFunction function;
+  Hde::Remeshing_result result;
+};
+
+// on the function of the regions of the mesh
+template <typename AnyFunction>
+Remeshing<AnyFunction> remesh_on(const AnyFunction& function, const Mesh& mesh, const std::size_t faces, const double sigma)
+{
+  Remeshing<AnyFunction> r{mesh, mesh, function, {}};
+  r.result = CGAL::anisotropic_hde_remeshing<Tag>(r.after, function,
+                                                  CGAL::parameters::number_of_target_faces(faces)
+                                                      .relative_sigma(sigma)
+                                                      .face_patch_map(regions_of(r.after))
+                                                      .edge_is_constrained_map(creases_of(r.after))
+                                                      .vertex_is_constrained_map(fixed_of(r.after))
+                                                      .visitor(Limited_visitor()));
+  return r;
+}
+
+// the regions between sharp edges and those that are marked already
+Function detect(Mesh& mesh, const double angle)
+{
+  const Creases creases = creases_of(mesh);
+  Hde::detect_surface_regions(mesh, creases, regions_of(mesh),
+                              CGAL::parameters::sharp_angle(angle).edge_is_constrained_map(creases));
+  return Function(mesh, regions_of(mesh));
+}
+
+Remeshing<Function> remesh(Mesh mesh, const double angle, const std::size_t faces, const double sigma = 0.1)
+{
+  const Function function = detect(mesh, angle);
+  return remesh_on(function, mesh, faces, sigma);
+}
+
+// the same in one call; of all faces if none are given
+Hde::Remeshing_result remesh_at_once(Mesh& mesh, const double angle, const std::size_t faces, const double sigma = 0.1,
+                                     const Limited_visitor& visitor = Limited_visitor(),
+                                     const std::vector<Mesh::Face_index>& range = {})
+{
+  const auto np = CGAL::parameters::sharp_angle(angle)
+                      .number_of_target_faces(faces)
+                      .relative_sigma(sigma)
+                      .edge_is_constrained_map(creases_of(mesh))
+                      .vertex_is_constrained_map(fixed_of(mesh))
+                      .visitor(visitor);
+  return range.empty() ? CGAL::anisotropic_hde_remeshing<Tag>(mesh, np) : CGAL::anisotropic_hde_remeshing<Tag>(range, mesh, np);
+}
+
+// --- what holds for all ---
+
+// Where the nearest piece vanishes, for the promises of all meshes, and on the creases, which may be off it like any curve.
+template <typename AnyFunction>
+struct Nearest_piece
+{
+  const AnyFunction& function;
+  std::set<Point_3> on_creases;
+
+  Nearest_piece(const AnyFunction& f, Mesh& mesh) : function(f)
+  {
+    for (const Mesh::Edge_index e : mesh.edges())
+      if (creases_of(mesh)[e])
+        for (const int end : {0, 1})
+          on_creases.insert(mesh.point(mesh.vertex(e, unsigned(end))));
+  }
+
+  double operator()(const Point_3& p) const { return on_creases.count(p) == 1 ? 0 : piece(p)(to_point(p)); }
+  auto gradient(const Point_3& p) const { return piece(p).gradient(to_point(p)); }
+
+  static auto to_point(const Point_3& p)
+  {
+    typedef std::decay_t<decltype(std::declval<AnyFunction>().piece(0))> Piece;
+    return typename Piece::Point_3(p.x(), p.y(), p.z());
+  }
+
+private:
+  const auto& piece(const Point_3& p) const
+  {
+    std::size_t nearest = 0;
+    for (std::size_t i = 1; i < function.number_of_pieces(); ++i)
+      if (std::abs(function.piece(i)(to_point(p))) < std::abs(function.piece(nearest)(to_point(p))))
+        nearest = i;
+    return function.piece(nearest);
+  }
+};
+
+// of the vertices that are on no curve, from the zero set of their own piece
+template <typename AnyFunction>
+double largest_distance_between_curves(Mesh& mesh, const AnyFunction& function)
+{
+  const Nearest_piece<AnyFunction> nearest(function, mesh);
+  double largest = 0;
+  for (const Mesh::Vertex_index v : mesh.vertices())
+    if (!mesh.is_isolated(v) && !mesh.is_border(v) && nearest.on_creases.count(mesh.point(v)) == 0)
+    {
+      const auto& piece = function.piece(regions_of(mesh)[mesh.face(mesh.halfedge(v))]);
+      const auto p = nearest.to_point(mesh.point(v));
+      largest = (std::max)(largest, std::abs(piece(p)) / std::sqrt(piece.gradient(p).squared_length()));
+    }
+  return largest;
+}
+
+// by region: its vertices
+std::map<std::size_t, std::set<Mesh::Vertex_index>> vertices_of_regions(Mesh& mesh)
+{
+  std::map<std::size_t, std::set<Mesh::Vertex_index>> result;
+  for (const Mesh::Face_index f : mesh.faces())
+    for (const Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f)))
+      result[regions_of(mesh)[f]].insert(v);
+  return result;
+}
+
+// by region: its Euler characteristic
+std::map<std::size_t, std::ptrdiff_t> topology_of_regions(Mesh& mesh)
+{
+  const Regions regions = regions_of(mesh);
+  std::map<std::size_t, std::ptrdiff_t> result;
+  for (const auto& region : vertices_of_regions(mesh))
+    result[region.first] = std::ptrdiff_t(region.second.size());
+  for (const Mesh::Face_index f : mesh.faces())
+    ++result[regions[f]];
+  for (const Mesh::Edge_index e : mesh.edges())
+  {
+    std::set<std::size_t> sides;
+    for (const Mesh::Halfedge_index h : {mesh.halfedge(e), mesh.opposite(mesh.halfedge(e))})
+      if (!mesh.is_border(h))
+        sides.insert(regions[mesh.face(h)]);
+    for (const std::size_t region : sides)
+      --result[region];
+  }
+  return result;
+}
+
+double length(const creases::Segments& segments)
+{
+  double sum = 0;
+  for (const Kernel::Segment_3& s : segments)
+    sum += std::sqrt(s.squared_length());
+  return sum;
+}
+
+void check_curves(Mesh& mesh, const Hde::Feature_curves& curves)
+{
+  CHECK(curves.number_of_corners == creases::corners(mesh, creases_of(mesh)).size());
+  const double sum = length(creases::segments(mesh, creases_of(mesh)));
+  CHECK_CLOSE(curves.length, sum, 1e-10 * sum);
+}
+
+// `deviation` of the creases from those of the input, as a share of the diagonal
+template <typename AnyFunction>
+void check(const std::string& name, Remeshing<AnyFunction>& r, const double deviation = 1e-4)
+{
+  const std::string broken =
+      promises::broken(r.before, r.after, Nearest_piece<AnyFunction>(r.function, r.after), r.result, true);
+  const double diagonal = bounding_box_diagonal(r.before);
+  const creases::Segments before = creases::segments(r.before, creases_of(r.before)),
+                          after = creases::segments(r.after, creases_of(r.after));
+  const double forth = creases::largest_distance(after, before) / diagonal,
+               back = creases::largest_distance(before, after) / diagonal;
+  const auto np = CGAL::parameters::face_patch_map(regions_of(r.after));
+  const std::size_t folds = Hde::measure_embedding(r.after, r.function, np).number_of_folded_faces;
+  const double distance = largest_distance_between_curves(r.after, r.function) / diagonal;
+  std::cout << name << ": " << r.after.number_of_faces() << " faces, " << r.result.number_of_regions << " regions, "
+            << r.result.curves_before.number_of_curves << " curves, " << r.result.curves_before.number_of_corners
+            << " corners, creases/D " << forth << " and " << back << ", vertices/D " << distance << ", folds " << folds
+            << std::endl;
+  if (!CHECK(broken.empty()))
+    std::cerr << "  " << name << ": " << broken << std::endl;
+  CHECK(folds == 0);
+  if (r.result.projections.closest_point + r.result.number_of_unprojected_vertices == 0)
+    CHECK(distance <= 1e-9);
+  CHECK(forth <= deviation);
+  CHECK(back <= deviation);
+  CHECK(creases::number_of_missing_points(creases::corners(r.before, creases_of(r.before)), r.after) == 0);
+  CHECK(r.result.number_of_regions == r.function.number_of_pieces());
+  CHECK(topology_of_regions(r.before) == topology_of_regions(r.after));
+  CHECK(r.result.curves_before.number_of_curves == r.result.curves_after.number_of_curves);
+  check_curves(r.before, r.result.curves_before);
+  check_curves(r.after, r.result.curves_after);
+}
+
+// --- cylinders ---
+
+// the user's own pieces: the cylinder of radius 1, and the planes z = -1 and z = 1
+struct Can_function
+{
+  struct Piece
+  {
+    typedef Kernel::FT FT;
+    typedef shapes::Point_3 Point;
+    typedef shapes::Point_3 Point_3;
+    typedef shapes::Vector_3 Vector_3;
+
+    double side = 0; // of the plane; 0 is the cylinder
+
+    FT operator()(const Point_3& p) const { return side == 0 ? std::hypot(p.x(), p.y()) - 1 : side * p.z() - 1; }
+    Vector_3 gradient(const Point_3& p) const
+    {
+      return side == 0 ? Vector_3(p.x(), p.y(), 0) / std::hypot(p.x(), p.y()) : Vector_3(0, 0, side);
+    }
+  };
+
+  std::size_t number_of_pieces() const { return 3; }
+  const Piece& piece(const std::size_t i) const
+  {
+    static const Piece pieces[] = {Piece{0}, Piece{-1}, Piece{1}};
+    return pieces[i];
+  }
+};
+
+// capped_cylinder() with the pieces of its faces
+Mesh can(const unsigned int segments, const unsigned int rows)
+{
+  Mesh mesh = capped_cylinder(segments, rows);
+  const Regions regions = regions_of(mesh);
+  const Creases creases = creases_of(mesh);
+  for (const Mesh::Face_index f : mesh.faces())
+  {
+    double z = 0;
+    for (const Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f)))
+      z += mesh.point(v).z() / 3;
+    regions[f] = std::abs(z) < 1 - 1e-9 ? 0 : z < 0 ? 1 : 2;
+  }
+  for (const Mesh::Edge_index e : mesh.edges())
+    creases[e] = regions[mesh.face(mesh.halfedge(e))] != regions[mesh.face(mesh.opposite(mesh.halfedge(e)))];
+  return mesh;
+}
+
+// vertices on the circles, the caps and the side, which may be that far away; the numbers of the pieces are those of can()
+void check_can(Mesh& mesh, const double circle, const double cap, const double side)
+{
+  const auto regions = vertices_of_regions(mesh);
+  if (!CHECK(regions.size() == 3))
+    return;
+  std::map<Mesh::Vertex_index, double> off_circle;
+  double off_cap = 0, off_side = 0;
+  for (const auto& region : regions)
+    for (const Mesh::Vertex_index v : region.second)
+    {
+      const double radius = std::hypot(mesh.point(v).x(), mesh.point(v).y());
+      if (region.first > 0)
+      {
+        off_cap = (std::max)(off_cap, std::abs(mesh.point(v).z() - (region.first == 1 ? -1 : 1)));
+        if (regions.at(0).count(v) == 1)
+          off_circle[v] = std::abs(radius - 1);
+      }
+      else if (std::abs(mesh.point(v).z()) < 1 - 1e-6)
+        off_side = (std::max)(off_side, std::abs(radius - 1));
+    }
+  double largest = 0;
+  for (const auto& v : off_circle)
+    largest = (std::max)(largest, v.second);
+  CHECK(off_circle.size() >= 6);
+  CHECK_CLOSE(largest, 0, circle);
+  CHECK_CLOSE(off_cap, 0, cap);
+  CHECK_CLOSE(off_side, 0, side);
+}
+
+// the polygon of 64 sides is 1.2e-3 off the circle
+constexpr double twice_the_sagitta = 2.4e-3;
+
+void test_own_pieces()
+{
+  const Mesh mesh = can(64, 100);
+  for (const std::size_t faces : {2000, 20000})
+  {
+    Remeshing<Can_function> r = remesh_on(Can_function(), mesh, faces, 0.1);
+    check("own pieces", r, twice_the_sagitta / bounding_box_diagonal(mesh));
+    check_can(r.after, 1e-9, 1e-12, 1e-8);
+    check_number_of_faces(r.after, faces);
+    CHECK(r.result.curves_after.number_of_curves == 2 && r.result.curves_after.number_of_corners == 0);
+  }
+}
+
+void test_cylinder()
+{
+  // with the numbers of the regions as in can()
+  Mesh mesh = can(64, 100);
+  const Function function(mesh, regions_of(mesh));
+  {
+    Mesh detected = capped_cylinder(64, 100);
+    detect(detected, 40);
+    bool is_same = true;
+    for (const Mesh::Edge_index e : mesh.edges())
+      is_same = is_same && creases_of(mesh)[e] == creases_of(detected)[e];
+    CHECK(is_same);
+  }
+  for (const std::size_t faces : {2000, 8000, 30000})
+  {
+    Remeshing<Function> r = remesh_on(function, mesh, faces, 0.1);
+    check("cylinder", r, twice_the_sagitta / bounding_box_diagonal(mesh));
+    check_can(r.after, 1e-4, 1e-9, 1e-4);
+    check_number_of_faces(r.after, faces);
+    CHECK(!PMP::does_self_intersect<Tag>(r.after));
+    CHECK(r.result.number_of_regions == 3);
+    CHECK(r.result.curves_before.number_of_curves == 2 && r.result.curves_before.number_of_corners == 0);
+  }
+}
+
+// --- flat faces ---
+
+double area(const std::size_t region, Mesh& mesh)
+{
+  double sum = 0;
+  for (const Mesh::Face_index f : mesh.faces())
+    sum += regions_of(mesh)[f] == region ? CGAL::to_double(PMP::face_area(f, mesh)) : 0;
+  return sum;
+}
+
+// every region lies in the plane of one coordinate, exactly, as before, and covers as much of it
+void check_flat(Remeshing<Function>& r)
+{
+  const auto before = vertices_of_regions(r.before), after = vertices_of_regions(r.after);
+  for (const auto& region : before)
+  {
+    CHECK_CLOSE(area(region.first, r.after), area(region.first, r.before), 1e-12);
+    const Point_3 p = r.before.point(*region.second.begin());
+    const auto distance = [&](const Mesh& mesh, const std::set<Mesh::Vertex_index>& vertices, const int axis)
+    {
+      double largest = 0;
+      for (const Mesh::Vertex_index v : vertices)
+        largest = (std::max)(largest, std::abs(mesh.point(v)[axis] - p[axis]));
+      return largest;
+    };
+    int axis = 0;
+    while (axis < 2 && distance(r.before, region.second, axis) > 0)
+      ++axis;
+    CHECK_CLOSE(distance(r.before, region.second, axis), 0, 0);
+    CHECK_CLOSE(distance(r.after, after.at(region.first), axis), 0, 1e-14);
+  }
+}
+
+// the areas of the sides in ascending order, how many edges and corners
+void test_block(const std::string& name, const Mesh& mesh, const std::size_t coarse, const std::vector<double>& areas,
+                const std::size_t number_of_edges, const std::size_t number_of_corners)
+{
+  for (const std::size_t faces : {coarse, number_of_faces_of(mesh), 4 * number_of_faces_of(mesh)})
+  {
+    Remeshing<Function> r = remesh(mesh, 40, faces);
+    check(name, r, 1e-14);
+    check_flat(r);
+    CHECK(r.result.curves_after.number_of_curves == number_of_edges);
+    CHECK(r.result.curves_after.number_of_corners == number_of_corners);
+    std::vector<double> found;
+    for (std::size_t i = 0; i < r.result.number_of_regions; ++i)
+      found.push_back(area(i, r.after));
+    std::sort(found.begin(), found.end());
+    if (CHECK(found.size() == areas.size()))
+      for (std::size_t i = 0; i < areas.size(); ++i)
+        CHECK_CLOSE(found[i], areas[i], 1e-12);
+    if (faces == coarse)
+      CHECK(number_of_faces_of(r.after) < mesh.number_of_faces() / 4);
+    else
+      check_number_of_faces(r.after, faces);
+  }
+}
+
+void test_blocks()
+{
+  test_block("cube", cube(8), 48, {1, 1, 1, 1, 1, 1}, 12, 8);
+  test_block("L", l_block(6), 112, {1, 1, 1, 1, 2, 2, 3, 3}, 18, 12);
+}
+
+// --- other shapes ---
+
+// the axis of z, apex at z = 1, the base in z = 0; squares up the side and on the base
+Mesh cone(const std::size_t segments, const std::size_t rings)
+{
+  Soup soup;
+  soup.points = {Point_3(0, 0, 1), Point_3(0, 0, 0)};
+  const auto add_circle = [&](const double radius, const double z)
+  {
+    for (std::size_t i = 0; i < segments; ++i)
+    {
+      const double u = 2 * pi * double(i) / double(segments);
+      soup.points.emplace_back(radius * std::cos(u), radius * std::sin(u), z);
+    }
+  };
+  for (std::size_t k = 1; k <= rings; ++k)
+    add_circle(double(k) / double(rings), 1 - double(k) / double(rings));
+  for (std::size_t k = rings - 1; k > 0; --k)
+    add_circle(double(k) / double(rings), 0);
+  const std::size_t last = soup.points.size() - segments;
+  for (std::size_t i = 0; i < segments; ++i)
+  {
+    const std::size_t next = (i + 1) % segments;
+    soup.triangles.push_back({0, 2 + i, 2 + next});
+    for (std::size_t a = 2; a < last; a += segments)
+    {
+      soup.triangles.push_back({a + i, a + segments + i, a + segments + next});
+      soup.triangles.push_back({a + i, a + segments + next, a + next});
+    }
+    soup.triangles.push_back({last + i, 1, last + next});
+  }
+  return to_mesh(soup);
+}
+
+void test_cone()
+{
+  for (const std::size_t faces : {600, 6000})
+  {
+    Remeshing<Function> r = remesh(cone(64, 12), 40, faces);
+    check("cone", r, twice_the_sagitta / bounding_box_diagonal(r.before));
+    CHECK(r.result.number_of_regions == 2);
+    CHECK(r.result.curves_after.number_of_curves == 1 && r.result.curves_after.number_of_corners == 0);
+    double largest = 0;
+    for (const Mesh::Edge_index e : r.after.edges())
+      if (creases_of(r.after)[e])
+        largest = (std::max)(largest, std::abs(r.after.point(r.after.vertex(e, 0)).z()));
+    CHECK_CLOSE(largest, 0, 1e-9);
+  }
+}
+
+// A polygon as good as the circle: edges are joined, but only as long as it stays so.
+void test_fine_crease()
+{
+  for (const std::size_t faces : {800, 5000})
+  {
+    Remeshing<Function> r = remesh(cone(400, 4), 40, faces);
+    check("fine crease", r);
+    const std::size_t number = creases::segments(r.after, creases_of(r.after)).size();
+    CHECK(number < 300);
+    CHECK(number > 100);
+  }
+}
+
+// a curve of the user's, over which the surface is smooth
+void test_marked_curve()
+{
+  Mesh mesh = icosphere(4);
+  const auto is_above = [&](const Mesh::Halfedge_index h)
+  {
+    double z = 0;
+    for (const Mesh::Vertex_index v : mesh.vertices_around_face(h))
+      z += mesh.point(v).z();
+    return z > 1e-9;
+  };
+  for (const Mesh::Edge_index e : mesh.edges())
+    creases_of(mesh)[e] = is_above(mesh.halfedge(e)) != is_above(mesh.opposite(mesh.halfedge(e)));
+  for (const std::size_t faces : {2000, 9000})
+  {
+    Remeshing<Function> r = remesh(mesh, 90, faces);
+    check("sphere with a curve", r);
+    CHECK(r.result.number_of_regions == 2);
+  }
+}
+
+// the lower half of the cube: creases that end at the boundary
+void test_open_box()
+{
+  Mesh mesh = cube(8);
+  for (const Mesh::Face_index f : cube(8).faces())
+  {
+    double z = 0;
+    for (const Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f)))
+      z += mesh.point(v).z();
+    if (z > 1.5)
+      CGAL::Euler::remove_face(mesh.halfedge(f), mesh);
+  }
+  mesh.collect_garbage();
+  for (const std::size_t faces : {60, 3000})
+  {
+    Remeshing<Function> r = remesh(mesh, 40, faces);
+    check("open box", r, 1e-14);
+    check_flat(r);
+    CHECK(r.result.number_of_regions == 5);
+    CHECK(r.result.curves_after.number_of_curves == 12 && r.result.curves_after.number_of_corners == 8);
+  }
+}
+
+// a plate with a bend on x = 0 which fades out inside
+void test_dart()
+{
+  static constexpr std::size_t n = 32;
+  Soup soup;
+  for (std::size_t j = 0; j <= n; ++j)
+    for (std::size_t i = 0; i <= n; ++i)
+    {
+      const double x = 2 * double(i) / double(n) - 1, y = 2 * double(j) / double(n);
+      const double slope = 1.2 * std::pow((std::max)(0., 1 - y / 1.5), 2);
+      soup.points.emplace_back(x, y, (std::max)(0., x) * slope);
+    }
+  for (std::size_t j = 0; j < n; ++j)
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      const std::size_t a = j * (n + 1) + i, b = a + 1, c = b + n + 1, d = a + n + 1;
+      soup.triangles.push_back({a, b, c});
+      soup.triangles.push_back({a, c, d});
+    }
+  for (const std::size_t faces : {800, 6000})
+  {
+    Remeshing<Function> r = remesh(to_mesh(soup), 20, faces);
+    check("dart", r);
+    // there is a curve inside besides the boundary, on the bend
+    CHECK(r.result.curves_after.length > 8.5);
+    double largest = 0;
+    for (const Mesh::Edge_index e : r.after.edges())
+      if (creases_of(r.after)[e] && !r.after.is_border(e))
+        largest = (std::max)(largest, std::abs(r.after.point(r.after.vertex(e, 0)).x()));
+    CHECK_CLOSE(largest, 0, 0.1);
+  }
+}
+
+// --- the one call ---
+
+void test_face_range()
+{
+  const Mesh input = capped_cylinder(32, 16);
+  Mesh mesh = input;
+  std::vector<Mesh::Face_index> range;
+  for (const Mesh::Face_index f : mesh.faces())
+    if (mesh.point(mesh.target(mesh.halfedge(f))).x() > 0.1)
+      range.push_back(f);
+  const std::set<Mesh::Face_index> selected(range.begin(), range.end());
+  const Hde::Remeshing_result result = remesh_at_once(mesh, 40, 3 * range.size(), 0.1, Limited_visitor(), range);
+  bool is_same = true;
+  for (const Mesh::Face_index f : input.faces())
+    if (selected.count(f) == 0)
+    {
+      is_same = is_same && !mesh.is_removed(f);
+      Mesh::Halfedge_index h = mesh.halfedge(f), g = input.halfedge(f);
+      for (int k = 0; is_same && k < 3; ++k, h = mesh.next(h), g = input.next(g))
+        is_same = h == g && mesh.point(mesh.target(h)) == input.point(input.target(g));
+    }
+  CHECK(is_same);
+  CHECK(mesh.number_of_faces() > input.number_of_faces() + range.size());
+  CHECK(result.number_of_regions == 3);
+  CHECK(promises::number_of_self_intersections(mesh) == 0);
+  CHECK(Hde::measure_shape(mesh).number_of_folded_edges == 0);
+  // the creases of the other faces are there, too
+  Mesh before = input;
+  const Function function = detect(before, 40);
+  CHECK(detect(mesh, 40).number_of_pieces() == 3);
+  const double diagonal = bounding_box_diagonal(input), sagitta = 1 - std::cos(pi / 32);
+  CHECK(promises::broken(before, mesh, Nearest_piece<Function>(function, mesh), result, true).empty());
+  CHECK(creases::largest_distance(creases::segments(mesh, creases_of(mesh)), creases::segments(before, creases_of(before))) <=
+        2 * sagitta + 1e-4 * diagonal);
+  CHECK(topology_of_regions(mesh).size() == 3);
+}
+
+void test_fixed_vertices()
+{
+  const Mesh input = capped_cylinder(32, 16);
+  Mesh mesh = input;
+  for (const Mesh::Vertex_index v : mesh.vertices())
+    fixed_of(mesh)[v] = int(v) % 17 == 0; // also on the circles
+  remesh_at_once(mesh, 40, 800);
+  CHECK(CGAL::is_valid_polygon_mesh(mesh) && CGAL::is_closed(mesh));
+  std::size_t number = 0, number_of_kept = 0;
+  for (const Mesh::Vertex_index v : input.vertices())
+    if (int(v) % 17 == 0)
+    {
+      ++number;
+      number_of_kept += !mesh.is_removed(v) && mesh.point(v) == input.point(v) ? 1 : 0;
+    }
+  CHECK(number_of_kept == number);
+}
+
+void test_stopping()
+{
+  const Mesh input = l_block(8);
+  Limited_visitor patient;
+  Mesh mesh = input;
+  CHECK(!remesh_at_once(mesh, 40, 8000, 0.1, patient).was_stopped);
+  const std::size_t all = *patient.questions;
+  CHECK(all > 10);
+  for (const std::size_t limit : {std::size_t(0), std::size_t(1), std::size_t(4), all / 8, all / 4, all / 2, 3 * all / 4})
+  {
+    Limited_visitor visitor;
+    visitor.limit = limit;
+    mesh = input;
+    const Hde::Remeshing_result result = remesh_at_once(mesh, 40, 8000, 0.1, visitor);
+    CHECK(result.was_stopped == (*visitor.questions > limit));
+    const Function function = detect(mesh, 40);
+    CHECK(function.number_of_pieces() == 8);
+    CHECK(promises::broken(input, mesh, Nearest_piece<Function>(function, mesh), result, true).empty());
+  }
+}
+
+// the two steps give what the one call gives, for any number of threads
+void test_threads()
+{
+  for (const Mesh& input : {capped_cylinder(32, 16), l_block(4)})
+  {
+    const Remeshing<Function> r = remesh(input, 40, 3000);
+    const std::uint64_t expected = digest(r.after);
+    const auto digest_of_call = [&](const std::size_t faces)
+    {
+      Mesh mesh = input;
+      remesh_at_once(mesh, 40, faces);
+      return digest(mesh);
+    };
+    CHECK(digest_of_call(3000) == expected);
+    CHECK(digest_of_call(3100) != expected);
+#ifdef CGAL_LINKED_WITH_TBB
+    for (const std::size_t number_of_threads : {1, 2})
+    {
+      const tbb::global_control control(tbb::global_control::max_allowed_parallelism, number_of_threads);
+      CHECK(digest_of_call(3000) == expected);
+    }
+#endif
+  }
+}
+
+// --- other embeddings ---
+
+Remeshing<Function> remesh_by_metric(Mesh mesh, const std::size_t faces, const bool is_fitted)
+{
+  const Function function = detect(mesh, 40);
+  Remeshing<Function> r{mesh, mesh, function, {}};
+  r.result = CGAL::anisotropic_hde_remeshing<Tag>(r.after, function,
+                                                  CGAL::parameters::number_of_target_faces(faces)
+                                                      .embedding(Hde::Curvature_metric(2))
+                                                      .fit_to_surface(is_fitted)
+                                                      .do_self_intersection_tests(true)
+                                                      .face_patch_map(regions_of(r.after))
+                                                      .edge_is_constrained_map(creases_of(r.after)));
+  return r;
+}
+
+Remeshing<Function> remesh_by_error(Mesh mesh, const double error)
+{
+  const Function function = detect(mesh, 40);
+  Remeshing<Function> r{mesh, mesh, function, {}};
+  r.result = CGAL::anisotropic_hde_remeshing<Tag>(r.after, function,
+                                                  CGAL::parameters::approximation_error(error)
+                                                      .do_self_intersection_tests(true)
+                                                      .face_patch_map(regions_of(r.after))
+                                                      .edge_is_constrained_map(creases_of(r.after)));
+  return r;
+}
+
+Hde::Zero_set_measures distance(Remeshing<Function>& r)
+{
+  return Hde::measure_distance_to_zero_set<Tag>(r.after, r.function, CGAL::parameters::face_patch_map(regions_of(r.after)));
+}
+
+void test_metric()
+{
+  const Mesh mesh = can(32, 16);
+  const double diagonal = bounding_box_diagonal(mesh), sagitta = 1 - std::cos(pi / 32);
+  Remeshing<Function> r = remesh_by_metric(mesh, 1500, false), fitted = remesh_by_metric(mesh, 1500, true);
+  check("metric", r, 2 * sagitta / diagonal + 1e-4);
+  CHECK(promises::number_of_self_intersections(fitted.after) == 0);
+  CHECK(Hde::measure_shape(fitted.after).number_of_folded_edges == 0);
+  CHECK(distance(fitted).face_rms < 0.7 * distance(r).face_rms);
+  // curves do not move, and planes are flat
+  CHECK(creases::segments(fitted.after, creases_of(fitted.after)) == creases::segments(r.after, creases_of(r.after)));
+  for (Remeshing<Function>* remeshing : {&r, &fitted})
+    for (const auto& region : vertices_of_regions(remeshing->after))
+      if (remeshing->function.piece(region.first).kind() == Hde::Piece_kind::PLANE)
+        for (const Mesh::Vertex_index v : region.second)
+          CHECK_CLOSE(std::abs(remeshing->after.point(v).z()), 1, 1e-9);
+}
+
+void test_error()
+{
+  const Mesh mesh = can(32, 16);
+  const double diagonal = bounding_box_diagonal(mesh), sagitta = 1 - std::cos(pi / 32);
+  for (const double error : {0.01, 0.001})
+  {
+    Remeshing<Function> r = remesh_by_error(mesh, error);
+    check("error", r, 2 * sagitta / diagonal + 1e-4);
+    CHECK(r.result.binding_target == Hde::Target::APPROXIMATION_ERROR);
+    CHECK(r.result.approximation_error <= error);
+    CHECK(distance(r).face_max <= error + 1e-4 * diagonal);
+  }
+}
+
+// --- awkward input ---
+
+void test_bad_input()
+{
+  const Mesh input = cube(2);
+  for (const double angle : {0., 180., -10., std::numeric_limits<double>::quiet_NaN()})
+  {
+    Mesh mesh = input;
+    CHECK(contains(invalid_argument_message([&] { remesh_at_once(mesh, angle, 100); }), "sharp_angle"));
+    CHECK(digest(mesh) == digest(input));
+  }
+  Mesh mesh = can(16, 4);
+  regions_of(mesh)[Mesh::Face_index(5)] = 3;
+  const std::uint64_t before = digest(mesh);
+  const auto call = [&]
+  {
+    CGAL::anisotropic_hde_remeshing<Tag>(mesh, Can_function(),
+                                         CGAL::parameters::number_of_target_faces(100)
+                                             .relative_sigma(0.1)
+                                             .face_patch_map(regions_of(mesh))
+                                             .visitor(Limited_visitor()));
+  };
+  CHECK(contains(invalid_argument_message(call), "face_patch_map"));
+  CHECK(digest(mesh) == before);
+}
+
+// every face is a region
+void test_all_edges()
+{
+  for (Mesh mesh : {cube(4), icosphere(2)})
+  {
+    for (const Mesh::Edge_index e : mesh.edges())
+      creases_of(mesh)[e] = true;
+    for (const std::size_t faces : {mesh.number_of_faces() / 2, 5 * mesh.number_of_faces()})
+    {
+      Remeshing<Function> r = remesh(mesh, 40, faces);
+      check("all edges", r, 1e-12);
+      CHECK(r.result.number_of_regions == mesh.number_of_faces());
+    }
+  }
+}
+
+int main()
+{
+  test_own_pieces();
+  test_cylinder();
+  test_blocks();
+  test_cone();
+  test_fine_crease();
+  test_marked_curve();
+  test_open_box();
+  test_dart();
+  test_face_range();
+  test_fixed_vertices();
+  test_stopping();
+  test_threads();
+  test_metric();
+  test_error();
+  test_bad_input();
+  test_all_edges();
+  return check_summary();
+}
