@@ -159,7 +159,7 @@ void projection(benchmark::State& state)
   {
     Working_mesh::Vertex vertex = scene().vertices()[i++ % scene().vertices().size()];
     vertex.point *= 1.001;
-    scene().projection().project(vertex, 1);
+    scene().projection().project(vertex, 0, 1);
     benchmark::DoNotOptimize(vertex);
   }
   state.SetItemsProcessed(state.iterations());
