@@ -112,6 +112,17 @@ check "metric" run 0 $sphere m.off --metric 2 --faces 1500 --fit --no-distance
 check "it is named" grep -q 'metric of the curvature, p = 2' stdout
 check "no 6D lengths in it" [ "$(grep -c '6D' stdout)" -eq 0 ]
 check "metric inf" run 0 $sphere mi.off --metric inf $quick
+check "sharp" run 0 "$data/fandisk.off" sharp.ply --sharp 30 --faces 6000 --arrays --no-distance --json sharp.json
+for name in "regions between creases" "feature curves, boundaries included" "corners"; do
+  check "$name: as before, and more than one" awk -v name="$name" \
+    'index($0, name) == 1 { found = $(NF - 1) == $NF && $NF > 1 } END { exit !found }' stdout
+done
+check "the curves are as long" awk '/^length of the feature curves/ { r = $NF / $(NF - 1) } END { exit !(r > .999 && r < 1.001) }' stdout
+check "no sharp fold" grep -Eq '^folded edges +0 +0$' stdout
+check "sharp in the JSON" grep -q '"sharp": 30' sharp.json
+check "without an angle there is one region" grep -Eq '"regions": 1,' <("$program" $sphere s.off $quick --json -)
+check "sharp with a metric, fitted, by another kernel" run 0 "$data/fandisk.off" sm.off --sharp 40 --metric 2 --fit \
+  --kernel wendland-c4 --faces 3000 $quick
 check "adaptive sigma" run 0 $sphere a.off --sigma auto $quick
 check "error" run 0 $sphere e.off --error 2e-3 --no-distance
 check "it is kept" grep -q '^the error asked for is kept$' stdout
@@ -213,6 +224,9 @@ done
 for value in -1 nan; do
   refuses 1 "$value" $sphere precious.off --sigma $value
   refuses 1 "$value" $sphere precious.off --absolute-sigma $value
+done
+for value in 0 180 -30 nan inf; do
+  refuses 1 "--sharp must be above 0 and below 180 degrees, not $value" $sphere precious.off --sharp $value
 done
 refuses 1 "-1" $sphere precious.off --iterations -1
 refuses 1 "1.5" $sphere precious.off --smoothing-ratio 1.5
