@@ -9,8 +9,9 @@
 
 # Makes the pictures of the README and the manual from the package's own runs: installs what is missing (packages of Debian),
 # builds hde_remesh and draw_function, remeshes, and renders off screen, the same part with the same camera.
-# Usage: scripts/make_pictures.sh [LUCY VESSEL]
-# Those of Lucy and of a vessel are made if their meshes are given: the Stanford statue, and any vessel, standing upright in y.
+# Usage: scripts/make_pictures.sh [LUCY VESSEL [CRANK]]
+# Those of Lucy, of a vessel and of a crank are made if their meshes are given: the Stanford statue, any vessel, standing
+# upright in y, and a machine part with sharp edges.
 # BUILD_DIR (default build/hde_remesh) and JOBS (default 2) may be set in the environment.
 
 set -euo pipefail
@@ -116,6 +117,32 @@ vessel_at_three_levels() {
     \( vessel-detail.png vessel-3000-detail.png vessel-12932-detail.png vessel-40000-detail.png +append \) -append "${gray[@]}"
 }
 
+# rounded_and_sharp MESH NAME DEGREES OPTION...: NAME-rounded.obj without --sharp, NAME-sharp.obj with it
+rounded_and_sharp() {
+  "$program" "$1" "$2-rounded.obj" "${@:4}" --quiet --no-distance
+  "$program" "$1" "$2-sharp.obj" "${@:4}" --quiet --no-distance --sharp "$3"
+}
+
+fandisk_rounded_and_sharp() {
+  rounded_and_sharp "$fandisk" fandisk 20 --vertices 1500 --metric 2
+  for mesh in fandisk-rounded fandisk-sharp; do
+    render $mesh.obj $mesh.png 1400,1000 "$(camera fandisk-sharp.obj 1,.6,1.4 0,0,0 .68)" --edges
+    render $mesh.obj $mesh-detail.png 1400,900 "$(camera fandisk-sharp.obj 1,.3,1.4 -.1,-.05,.1 .25)" --edges
+  done
+  finish fandisk.png \( fandisk-rounded.png fandisk-sharp.png +append \) \
+    \( fandisk-rounded-detail.png fandisk-sharp-detail.png +append \) -append "${gray[@]}"
+}
+
+crank_rounded_and_sharp() {
+  rounded_and_sharp "$1" crank 30 --vertices 6000 --sigma .02
+  for mesh in crank-rounded crank-sharp; do
+    render $mesh.obj $mesh.png 1400,1200 "$(camera crank-sharp.obj -1,.6,.5 0,0,0 .8)" --edges
+    render $mesh.obj $mesh-detail.png 1400,900 "$(camera crank-sharp.obj -1,.6,.5 0,.2,-.1 .3)" --edges
+  done
+  finish crank.png \( crank-rounded.png crank-sharp.png +append \) \
+    \( crank-rounded-detail.png crank-sharp-detail.png +append \) -append "${gray[@]}"
+}
+
 sigma_from_zero_to_large() {
   local sigma parts=()
   for sigma in 0 .05 .15 .5; do
@@ -164,6 +191,7 @@ draw=$(realpath "$(find "$build_dir" -name draw_function -type f -perm -u+x)")
 data=$(realpath "$(cgal_data_dir "$build_dir")/meshes")
 bunny=$data/bunny00.off
 knot=$data/knot1.off
+fandisk=$data/fandisk.off
 mkdir -p "$picture_dir"
 
 work_dir=$(mktemp -d)
@@ -171,10 +199,14 @@ trap 'rm -r "$work_dir"' EXIT
 cd "$work_dir"
 bunny_before_and_after
 sigma_from_zero_to_large
+fandisk_rounded_and_sharp
 patches_of_the_function
 curvature_directions
 report_page
 if ((${#meshes[@]} > 0)); then
   lucy_at_two_levels "${meshes[0]}"
   vessel_at_three_levels "${meshes[1]}"
+fi
+if ((${#meshes[@]} > 2)); then
+  crank_rounded_and_sharp "${meshes[2]}"
 fi

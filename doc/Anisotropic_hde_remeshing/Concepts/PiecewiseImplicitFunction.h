@@ -18,7 +18,8 @@ do.
 <b>Beyond the faces.</b> A piece is smooth not only at its own faces but also some lengths of their edges beyond, as an edge of the
 mesh is but near to the curve in which two pieces meet, and this is sought from there.
 
-<b>Orientation.</b> All pieces are negative inside, so that the gradient of each points to where its faces look.
+<b>Orientation.</b> All pieces are negative inside, so that the gradient of each points to where its faces look. (The remeshing
+alone also takes the opposite sign, of each piece by itself.)
 
 <b>Thread safety.</b> All members, and those of the pieces, may be called from several threads at once on one object, unless the
 algorithm runs with `CGAL::Sequential_tag`. They return the same result for the same argument at every call.
