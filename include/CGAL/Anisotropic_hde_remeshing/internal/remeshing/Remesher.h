@@ -340,10 +340,12 @@ private:
     const double ratio = double(m_mesh.number_of_faces()) / number_of_faces;
     if (!is_settling())
       m_length_factor *= std::pow((std::min)((std::max)(ratio, 1 / largest_feedback_ratio), largest_feedback_ratio), feedback);
-    if (m_has_creases)
+    if (m_has_creases && m_parameters.scheme == Remeshing_scheme::DEFAULT)
+    {
       m_length_factor = (std::min)(m_length_factor, largest_length_factor_with_creases);
-    if (m_has_creases && ratio > largest_ratio_with_creases)
-      return;
+      if (ratio > largest_ratio_with_creases)
+        return;
+    }
     const double longest = is_settling() ? longest_of_settling : m_parameters.split_ratio;
     // where the mesh is very regular, the guards refuse most of the edges: the bounds are widened while it settles
     for (const double factor : {1., 1.15, 1.3})
