@@ -34,9 +34,9 @@ namespace internal {
 template <typename Embedding>
 constexpr bool is_metric = std::is_base_of<Metric_tensor, typename Embedding::Vertex_data>::value;
 
-// Gives every vertex, on a crease every side of it, the metric of the curvature around it, bounds the lengths that edges can have by it, and limits how fast
-// it changes: Alauzet, Size gradation control of anisotropic meshes, Finite Elements in Analysis and Design 46, 2010. What a
-// vertex gets does not depend on the order of the vertices.
+// Gives every vertex, on a crease every side of it, the metric of the curvature around it, bounds the lengths that edges can have
+// by it, and limits how fast it changes: Alauzet, Size gradation control of anisotropic meshes, Finite Elements in Analysis and
+// Design 46, 2010. What a vertex gets does not depend on the order of the vertices.
 template <typename ConcurrencyTag, typename Mesh, typename Metric>
 class Metric_updater
 {
@@ -66,6 +66,9 @@ public:
     if (m_interruption.is_requested())
       return;
     for_each_place([&](const std::size_t i) { store(m_places[i], m_metrics[i]); });
+    for (const Vertex_index v : m_mesh.vertices())
+      if (m_mesh.point(v).is_on_crease)
+        m_mesh.point(v) = m_mesh.sides(v).front().vertex;
   }
 
 private:
@@ -179,14 +182,9 @@ private:
       store(metric, m_mesh.point(v));
       return;
     }
-    typename Mesh::Sides& sides = m_mesh.sides(v);
-    for (std::size_t k = 0; k < sides.size(); ++k)
-      if (sides[k].region == m_mesh.region(in))
-      {
-        store(metric, sides[k].vertex);
-        if (k == 0)
-          m_mesh.point(v) = sides[k].vertex;
-      }
+    for (auto& side : m_mesh.sides(v)) // of which other threads store the others
+      if (side.region == m_mesh.region(in))
+        store(metric, side.vertex);
   }
 
   static void store(const Eigen::Matrix2d& metric, typename Mesh::Vertex& vertex)
