@@ -705,8 +705,8 @@ Hde::Zero_set_measures distance(Remeshing<Function>& r)
 
 void test_metric()
 {
-  const Mesh mesh = can(32, 16);
-  const double diagonal = bounding_box_diagonal(mesh), sagitta = 1 - std::cos(pi / 32);
+  const Mesh mesh = can(64, 32); // fine enough for its edges to become circles
+  const double diagonal = bounding_box_diagonal(mesh), sagitta = 1 - std::cos(pi / 64);
   Remeshing<Function> r = remesh_by_metric(mesh, 1500, false), fitted = remesh_by_metric(mesh, 1500, true);
   check("metric", r, 2 * sagitta / diagonal + 1e-4);
   CHECK(promises::number_of_self_intersections(fitted.after) == 0);
@@ -723,8 +723,8 @@ void test_metric()
 
 void test_error()
 {
-  const Mesh mesh = can(32, 16);
-  const double diagonal = bounding_box_diagonal(mesh), sagitta = 1 - std::cos(pi / 32);
+  const Mesh mesh = can(64, 32); // fine enough for its edges to become circles
+  const double diagonal = bounding_box_diagonal(mesh), sagitta = 1 - std::cos(pi / 64);
   for (const double error : {0.01, 0.001})
   {
     Remeshing<Function> r = remesh_by_error(mesh, error);
