@@ -117,30 +117,18 @@ vessel_at_three_levels() {
     \( vessel-detail.png vessel-3000-detail.png vessel-12932-detail.png vessel-40000-detail.png +append \) -append "${gray[@]}"
 }
 
-# rounded_and_sharp MESH NAME DEGREES OPTION...: NAME-rounded.obj without --sharp, NAME-sharp.obj with it
+# rounded_and_sharp MESH NAME DEGREES DIRECTION FOCUS OPTION...: NAME.png, the mesh remeshed without --sharp and with it, seen from
+# DIRECTION, and its part at FOCUS
 rounded_and_sharp() {
-  "$program" "$1" "$2-rounded.obj" "${@:4}" --quiet --no-distance
-  "$program" "$1" "$2-sharp.obj" "${@:4}" --quiet --no-distance --sharp "$3"
-}
-
-fandisk_rounded_and_sharp() {
-  rounded_and_sharp "$fandisk" fandisk 20 --vertices 1500 --metric 2
-  for mesh in fandisk-rounded fandisk-sharp; do
-    render $mesh.obj $mesh.png 1400,1000 "$(camera fandisk-sharp.obj 1,.6,1.4 0,0,0 .68)" --edges
-    render $mesh.obj $mesh-detail.png 1400,900 "$(camera fandisk-sharp.obj 1,.3,1.4 -.1,-.05,.1 .25)" --edges
+  local name=$2 direction=$4 focus=$5 mesh
+  "$program" "$1" "$name-rounded.obj" "${@:6}" --quiet --no-distance
+  "$program" "$1" "$name-sharp.obj" "${@:6}" --quiet --no-distance --sharp "$3"
+  for mesh in "$name-rounded" "$name-sharp"; do
+    render "$mesh.obj" "$mesh.png" 1400,1100 "$(camera "$name-sharp.obj" "$direction" 0,0,0 .75)" --edges
+    render "$mesh.obj" "$mesh-detail.png" 1400,900 "$(camera "$name-sharp.obj" "$direction" "$focus" .28)" --edges
   done
-  finish fandisk.png \( fandisk-rounded.png fandisk-sharp.png +append \) \
-    \( fandisk-rounded-detail.png fandisk-sharp-detail.png +append \) -append "${gray[@]}"
-}
-
-crank_rounded_and_sharp() {
-  rounded_and_sharp "$1" crank 30 --vertices 6000 --sigma .02
-  for mesh in crank-rounded crank-sharp; do
-    render $mesh.obj $mesh.png 1400,1200 "$(camera crank-sharp.obj -1,.6,.5 0,0,0 .8)" --edges
-    render $mesh.obj $mesh-detail.png 1400,900 "$(camera crank-sharp.obj -1,.6,.5 0,.2,-.1 .3)" --edges
-  done
-  finish crank.png \( crank-rounded.png crank-sharp.png +append \) \
-    \( crank-rounded-detail.png crank-sharp-detail.png +append \) -append "${gray[@]}"
+  finish "$name.png" \( "$name-rounded.png" "$name-sharp.png" +append \) \
+    \( "$name-rounded-detail.png" "$name-sharp-detail.png" +append \) -append "${gray[@]}"
 }
 
 sigma_from_zero_to_large() {
@@ -199,7 +187,7 @@ trap 'rm -r "$work_dir"' EXIT
 cd "$work_dir"
 bunny_before_and_after
 sigma_from_zero_to_large
-fandisk_rounded_and_sharp
+rounded_and_sharp "$fandisk" fandisk 20 1,.6,1.4 -.1,-.05,.1 --vertices 1500 --metric 2
 patches_of_the_function
 curvature_directions
 report_page
@@ -208,5 +196,5 @@ if ((${#meshes[@]} > 0)); then
   vessel_at_three_levels "${meshes[1]}"
 fi
 if ((${#meshes[@]} > 2)); then
-  crank_rounded_and_sharp "${meshes[2]}"
+  rounded_and_sharp "${meshes[2]}" crank 30 -1,.6,.5 0,.2,-.1 --vertices 6000 --sigma .02
 fi

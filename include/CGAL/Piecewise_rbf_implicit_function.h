@@ -336,15 +336,14 @@ private:
     {
       try
       {
-        piece = field_of(region, np.visitor(visitor));
-        if (share_of_missed_facets(piece, region) <= largest_share_of_missed_facets)
-          return piece;
+        const Field_piece field = field_of(region, np.visitor(visitor));
+        if (field.missed <= largest_share_of_missed_facets)
+          return field.piece;
       }
       catch (const std::invalid_argument&) // parameters and points are checked already: no face has an area
       {
       }
     }
-    piece = Piece();
     const auto facets = std::make_shared<const Region_facets>(Anisotropic_hde_remeshing::internal::sample_mesh(
         region, get(vertex_point, region), internal_np::Param_not_found(), interruption));
     if (!facets->empty())
@@ -352,25 +351,31 @@ private:
     return piece;
   }
 
+  // a piece that is a field, and what share of the facets it misses
+  struct Field_piece
+  {
+    Piece piece;
+    double missed = 0;
+  };
+
   // Of points between the vertices, too, if these are spread unevenly; if that field misses facets, of the vertices alone, whose
   // patches are checked, and answered by the facets where they fail.
   template <typename NamedParameters>
-  static Piece field_of(const Region_mesh& region, const NamedParameters& np)
+  static Field_piece field_of(const Region_mesh& region, const NamedParameters& np)
   {
-    Piece piece;
+    Field_piece of_points, of_vertices;
     const auto points = Anisotropic_hde_remeshing::internal::Uneven_region(region).points();
     if (!points.empty())
     {
-      piece.m_function.template emplace<Field>(points, np);
-      if (!(share_of_missed_facets(piece, region) > 0))
-        return piece;
+      of_points.piece.m_function.template emplace<Field>(points, np);
+      of_points.missed = share_of_missed_facets(of_points.piece, region);
+      if (of_points.missed == 0)
+        return of_points;
     }
-    Piece of_vertices;
-    of_vertices.m_function.template emplace<Field>(
+    of_vertices.piece.m_function.template emplace<Field>(
         region, np.vertex_point_map(get(vertex_point, region)).vertex_normal_map(internal_np::Param_not_found()));
-    if (points.empty() || share_of_missed_facets(of_vertices, region) < share_of_missed_facets(piece, region))
-      return of_vertices;
-    return piece;
+    of_vertices.missed = share_of_missed_facets(of_vertices.piece, region);
+    return points.empty() || of_vertices.missed < of_points.missed ? of_vertices : of_points;
   }
 
   // by area: those at whose centroid the zero set is far away or turned

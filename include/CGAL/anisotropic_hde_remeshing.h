@@ -115,9 +115,9 @@ With one smooth function, sharp edges that are not constrained are rounded. A pi
 region of the surface, and keeps the edges between two regions, the creases. A face sees its vertices with the normals of its
 own region: a vertex on a crease has one normal for each region there. Creases are split, contracted and smoothed along
 themselves, at the larger of the 6D lengths on both sides; no other operation crosses them. Vertices that are new on them, or
-move, are put where the zero sets of both regions meet, if this is no further from the polyline of the input than twice the
-height of a circular arc that turns as the polyline does; else, and where the zero sets meet at less than 15 degrees, on the
-polyline. Corners, which are the ends, branchings and turns mentioned above, do not move. If there are creases, no edge comes to
+move, stay on the polyline of the input, or where it goes along an arc, evenly and in steps of less than 6 degrees, and the zero
+sets of both regions meet at more than 15 degrees, are put where these meet, within twice the height of that arc over the
+polyline and 5e-4 of the diagonal of the bounding box. Corners, which are the ends, branchings and turns mentioned above, do not move. If there are creases, no edge comes to
 stand for a part of a curve that is anywhere further from it than 5e-5 of the diagonal of the bounding box.
 
 For any orientable manifold triangle mesh, any finite parameters and any number of threads, the call ends, and the result is valid,

@@ -24,14 +24,15 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Mesh_intersections.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Remesher.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Surface_projection.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/feature_curves.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/load_mesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/load_obstacles.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/orient_normals.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/remeshing_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/store_mesh.h>
 
 #include <CGAL/Real_timer.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <type_traits>
@@ -58,70 +59,6 @@ std::vector<Region> regions_of_faces(const Mesh_origin<TriangleMesh>& origin, co
     result.push_back(Region(region));
   }
   return result;
-}
-
-// For each region 1 if its faces look along the normals of their vertices, -1 if most of their area looks against them.
-template <typename Mesh>
-std::vector<double> orientations(const Mesh& mesh, const std::size_t number_of_regions)
-{
-  std::vector<double> result(number_of_regions, 0.);
-  for (const Face_index f : mesh.faces())
-  {
-    const Corners<Mesh> t(mesh.halfedge(f), mesh);
-    result[mesh.region(mesh.halfedge(f))] +=
-        (t.b.point - t.a.point).cross(t.c.point - t.a.point).dot(t.a.normal + t.b.normal + t.c.normal);
-  }
-  for (double& sum : result)
-    sum = sum < 0 ? -1 : 1;
-  return result;
-}
-
-// turns the normals of those regions over
-template <typename Mesh>
-void orient_normals(Mesh& mesh, const std::vector<double>& orientations)
-{
-  for (const Vertex_index v : mesh.vertices())
-  {
-    mesh.point(v).normal *= orientations[mesh.region(mesh.halfedge(v))];
-    if (!mesh.point(v).is_on_crease)
-      continue;
-    for (auto& side : mesh.sides(v))
-      side.vertex.normal *= orientations[side.region];
-    mesh.point(v) = mesh.sides(v).front().vertex;
-  }
-}
-
-// `unit` that of the copy
-template <typename Mesh>
-Feature_curves feature_curves(const Mesh& mesh, const double unit)
-{
-  Feature_curves result;
-  std::vector<int> curves;
-  for (const Edge_index e : mesh.edges())
-  {
-    if (!mesh.is_on_curve(e))
-      continue;
-    const int curve = mesh.arc(mesh.halfedge(e)).curve;
-    if (curve >= 0)
-      curves.push_back(curve);
-    result.length += (mesh.point(mesh.vertex(e, 0)).point - mesh.point(mesh.vertex(e, 1)).point).norm() * unit;
-  }
-  std::sort(curves.begin(), curves.end());
-  result.number_of_curves = std::size_t(std::unique(curves.begin(), curves.end()) - curves.begin());
-  for (const Vertex_index v : mesh.vertices())
-    result.number_of_corners += mesh.point(v).is_on_curve && mesh.point(v).is_fixed ? 1 : 0;
-  return result;
-}
-
-// whether there are edges that a piecewise function keeps sharp, other than the boundary
-template <typename Mesh, typename Function>
-bool has_creases(const Mesh& mesh, const Function&)
-{
-  if constexpr (is_piecewise<Function>)
-    for (const Edge_index e : mesh.edges())
-      if (mesh.is_on_curve(e) && !mesh.is_border(e))
-        return true;
-  return false;
 }
 
 // the second step, on the copy of the mesh; `diagonal` in the unit of the caller, `unit` that of the copy
