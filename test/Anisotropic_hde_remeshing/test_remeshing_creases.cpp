@@ -8,16 +8,9 @@
 
 // Sharp edges: creases, corners and flat faces are kept, and what is promised of every mesh holds between them.
 
-#include "creases.h"
-#include "promises.h"
-#include "remeshing_checks.h"
-
-#include <CGAL/Anisotropic_hde_remeshing/Curvature_metric.h>
-#include <CGAL/Anisotropic_hde_remeshing/Surface_regions.h>
-#include <CGAL/Piecewise_rbf_implicit_function.h>
+#include "crease_checks.h"
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -35,22 +28,10 @@
 #include <utility>
 #include <vector>
 
-using namespace shapes;
+using namespace crease_checks;
 using namespace remeshing_checks;
 
 namespace PMP = CGAL::Polygon_mesh_processing;
-
-typedef CGAL::Parallel_if_available_tag Tag;
-// that of the one call, which is thus compiled but once
-typedef CGAL::Piecewise_rbf_implicit_function<CGAL::Simple_cartesian<double>, CGAL::Polyharmonic_rbf, Tag> Function;
-typedef Mesh::Property_map<Mesh::Edge_index, bool> Creases;
-typedef Mesh::Property_map<Mesh::Face_index, std::size_t> Regions;
-typedef Mesh::Property_map<Mesh::Vertex_index, bool> Fixed;
-
-// the maps of a mesh, which its copies have, too
-Creases creases_of(Mesh& mesh) { return mesh.add_property_map<Mesh::Edge_index, bool>("e:crease", false).first; }
-Regions regions_of(Mesh& mesh) { return mesh.add_property_map<Mesh::Face_index, std::size_t>("f:region", 0).first; }
-Fixed fixed_of(Mesh& mesh) { return mesh.add_property_map<Mesh::Vertex_index, bool>("v:fixed", false).first; }
 
 // --- remeshing ---
 
@@ -61,14 +42,6 @@ struct Limited_visitor : Hde::Remeshing_visitor
   std::shared_ptr<std::size_t> questions = std::make_shared<std::size_t>(0);
 
   bool go_further() { return (*questions)++ < limit; }
-};
-
-template <typename AnyFunction>
-struct Remeshing
-{
-  Mesh before, after; // with their maps
-  AnyFunction function;
-  Hde::Remeshing_result result;
 };
 
 // on the function of the regions of the mesh
@@ -84,15 +57,6 @@ Remeshing<AnyFunction> remesh_on(const AnyFunction& function, const Mesh& mesh, 
                                                       .vertex_is_constrained_map(fixed_of(r.after))
                                                       .visitor(Limited_visitor()));
   return r;
-}
-
-// the regions between sharp edges and those that are marked already
-Function detect(Mesh& mesh, const double angle)
-{
-  const Creases creases = creases_of(mesh);
-  Hde::detect_surface_regions(mesh, creases, regions_of(mesh),
-                              CGAL::parameters::sharp_angle(angle).edge_is_constrained_map(creases));
-  return Function(mesh, regions_of(mesh));
 }
 
 Remeshing<Function> remesh(Mesh mesh, const double angle, const std::size_t faces, const double sigma = 0.1)
@@ -113,138 +77,6 @@ Hde::Remeshing_result remesh_at_once(Mesh& mesh, const double angle, const std::
                       .vertex_is_constrained_map(fixed_of(mesh))
                       .visitor(visitor);
   return range.empty() ? CGAL::anisotropic_hde_remeshing<Tag>(mesh, np) : CGAL::anisotropic_hde_remeshing<Tag>(range, mesh, np);
-}
-
-// --- what holds for all ---
-
-// Where the nearest piece vanishes, for the promises of all meshes, and on the creases, which may be off it like any curve.
-template <typename AnyFunction>
-struct Nearest_piece
-{
-  const AnyFunction& function;
-  std::set<Point_3> on_creases;
-
-  Nearest_piece(const AnyFunction& f, Mesh& mesh) : function(f)
-  {
-    for (const Mesh::Edge_index e : mesh.edges())
-      if (creases_of(mesh)[e])
-        for (const int end : {0, 1})
-          on_creases.insert(mesh.point(mesh.vertex(e, unsigned(end))));
-  }
-
-  double operator()(const Point_3& p) const { return on_creases.count(p) == 1 ? 0 : piece(p)(to_point(p)); }
-  auto gradient(const Point_3& p) const { return piece(p).gradient(to_point(p)); }
-
-  static auto to_point(const Point_3& p)
-  {
-    typedef std::decay_t<decltype(std::declval<AnyFunction>().piece(0))> Piece;
-    return typename Piece::Point_3(p.x(), p.y(), p.z());
-  }
-
-private:
-  const auto& piece(const Point_3& p) const
-  {
-    std::size_t nearest = 0;
-    for (std::size_t i = 1; i < function.number_of_pieces(); ++i)
-      if (std::abs(function.piece(i)(to_point(p))) < std::abs(function.piece(nearest)(to_point(p))))
-        nearest = i;
-    return function.piece(nearest);
-  }
-};
-
-// of the vertices that are on no curve, from the zero set of their own piece
-template <typename AnyFunction>
-double largest_distance_between_curves(Mesh& mesh, const AnyFunction& function)
-{
-  const Nearest_piece<AnyFunction> nearest(function, mesh);
-  double largest = 0;
-  for (const Mesh::Vertex_index v : mesh.vertices())
-    if (!mesh.is_isolated(v) && !mesh.is_border(v) && nearest.on_creases.count(mesh.point(v)) == 0)
-    {
-      const auto& piece = function.piece(regions_of(mesh)[mesh.face(mesh.halfedge(v))]);
-      const auto p = nearest.to_point(mesh.point(v));
-      largest = (std::max)(largest, std::abs(piece(p)) / std::sqrt(piece.gradient(p).squared_length()));
-    }
-  return largest;
-}
-
-// by region: its vertices
-std::map<std::size_t, std::set<Mesh::Vertex_index>> vertices_of_regions(Mesh& mesh)
-{
-  std::map<std::size_t, std::set<Mesh::Vertex_index>> result;
-  for (const Mesh::Face_index f : mesh.faces())
-    for (const Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f)))
-      result[regions_of(mesh)[f]].insert(v);
-  return result;
-}
-
-// by region: its Euler characteristic
-std::map<std::size_t, std::ptrdiff_t> topology_of_regions(Mesh& mesh)
-{
-  const Regions regions = regions_of(mesh);
-  std::map<std::size_t, std::ptrdiff_t> result;
-  for (const auto& region : vertices_of_regions(mesh))
-    result[region.first] = std::ptrdiff_t(region.second.size());
-  for (const Mesh::Face_index f : mesh.faces())
-    ++result[regions[f]];
-  for (const Mesh::Edge_index e : mesh.edges())
-  {
-    std::set<std::size_t> sides;
-    for (const Mesh::Halfedge_index h : {mesh.halfedge(e), mesh.opposite(mesh.halfedge(e))})
-      if (!mesh.is_border(h))
-        sides.insert(regions[mesh.face(h)]);
-    for (const std::size_t region : sides)
-      --result[region];
-  }
-  return result;
-}
-
-double length(const creases::Segments& segments)
-{
-  double sum = 0;
-  for (const Kernel::Segment_3& s : segments)
-    sum += std::sqrt(s.squared_length());
-  return sum;
-}
-
-void check_curves(Mesh& mesh, const Hde::Feature_curves& curves)
-{
-  CHECK(curves.number_of_corners == creases::corners(mesh, creases_of(mesh)).size());
-  const double sum = length(creases::segments(mesh, creases_of(mesh)));
-  CHECK_CLOSE(curves.length, sum, 1e-10 * sum);
-}
-
-// `deviation` of the creases from those of the input, as a share of the diagonal
-template <typename AnyFunction>
-void check(const std::string& name, Remeshing<AnyFunction>& r, const double deviation = 1e-4)
-{
-  const std::string broken =
-      promises::broken(r.before, r.after, Nearest_piece<AnyFunction>(r.function, r.after), r.result, true);
-  const double diagonal = bounding_box_diagonal(r.before);
-  const creases::Segments before = creases::segments(r.before, creases_of(r.before)),
-                          after = creases::segments(r.after, creases_of(r.after));
-  const double forth = creases::largest_distance(after, before) / diagonal,
-               back = creases::largest_distance(before, after) / diagonal;
-  const auto np = CGAL::parameters::face_patch_map(regions_of(r.after));
-  const std::size_t folds = Hde::measure_embedding(r.after, r.function, np).number_of_folded_faces;
-  const double distance = largest_distance_between_curves(r.after, r.function) / diagonal;
-  std::cout << name << ": " << r.after.number_of_faces() << " faces, " << r.result.number_of_regions << " regions, "
-            << r.result.curves_before.number_of_curves << " curves, " << r.result.curves_before.number_of_corners
-            << " corners, creases/D " << forth << " and " << back << ", vertices/D " << distance << ", folds " << folds
-            << std::endl;
-  if (!CHECK(broken.empty()))
-    std::cerr << "  " << name << ": " << broken << std::endl;
-  CHECK(folds == 0);
-  if (r.result.projections.closest_point + r.result.number_of_unprojected_vertices == 0)
-    CHECK(distance <= 1e-9);
-  CHECK(forth <= deviation);
-  CHECK(back <= deviation);
-  CHECK(creases::number_of_missing_points(creases::corners(r.before, creases_of(r.before)), r.after) == 0);
-  CHECK(r.result.number_of_regions == r.function.number_of_pieces());
-  CHECK(topology_of_regions(r.before) == topology_of_regions(r.after));
-  CHECK(r.result.curves_before.number_of_curves == r.result.curves_after.number_of_curves);
-  check_curves(r.before, r.result.curves_before);
-  check_curves(r.after, r.result.curves_after);
 }
 
 // --- cylinders ---
@@ -275,24 +107,6 @@ struct Can_function
     return pieces[i];
   }
 };
-
-// capped_cylinder() with the pieces of its faces
-Mesh can(const unsigned int segments, const unsigned int rows)
-{
-  Mesh mesh = capped_cylinder(segments, rows);
-  const Regions regions = regions_of(mesh);
-  const Creases creases = creases_of(mesh);
-  for (const Mesh::Face_index f : mesh.faces())
-  {
-    double z = 0;
-    for (const Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f)))
-      z += mesh.point(v).z() / 3;
-    regions[f] = std::abs(z) < 1 - 1e-9 ? 0 : z < 0 ? 1 : 2;
-  }
-  for (const Mesh::Edge_index e : mesh.edges())
-    creases[e] = regions[mesh.face(mesh.halfedge(e))] != regions[mesh.face(mesh.opposite(mesh.halfedge(e)))];
-  return mesh;
-}
 
 // vertices on the circles, the caps and the side, which may be that far away; the numbers of the pieces are those of can()
 void check_can(Mesh& mesh, const double circle, const double cap, const double side)
@@ -670,71 +484,6 @@ void test_threads()
   }
 }
 
-// --- other embeddings ---
-
-Remeshing<Function> remesh_by_metric(Mesh mesh, const std::size_t faces, const bool is_fitted)
-{
-  const Function function = detect(mesh, 40);
-  Remeshing<Function> r{mesh, mesh, function, {}};
-  r.result = CGAL::anisotropic_hde_remeshing<Tag>(r.after, function,
-                                                  CGAL::parameters::number_of_target_faces(faces)
-                                                      .embedding(Hde::Curvature_metric(2))
-                                                      .fit_to_surface(is_fitted)
-                                                      .do_self_intersection_tests(true)
-                                                      .face_patch_map(regions_of(r.after))
-                                                      .edge_is_constrained_map(creases_of(r.after)));
-  return r;
-}
-
-Remeshing<Function> remesh_by_error(Mesh mesh, const double error)
-{
-  const Function function = detect(mesh, 40);
-  Remeshing<Function> r{mesh, mesh, function, {}};
-  r.result = CGAL::anisotropic_hde_remeshing<Tag>(r.after, function,
-                                                  CGAL::parameters::approximation_error(error)
-                                                      .do_self_intersection_tests(true)
-                                                      .face_patch_map(regions_of(r.after))
-                                                      .edge_is_constrained_map(creases_of(r.after)));
-  return r;
-}
-
-Hde::Zero_set_measures distance(Remeshing<Function>& r)
-{
-  return Hde::measure_distance_to_zero_set<Tag>(r.after, r.function, CGAL::parameters::face_patch_map(regions_of(r.after)));
-}
-
-void test_metric()
-{
-  const Mesh mesh = can(64, 32); // fine enough for its edges to become circles
-  const double diagonal = bounding_box_diagonal(mesh), sagitta = 1 - std::cos(pi / 64);
-  Remeshing<Function> r = remesh_by_metric(mesh, 1500, false), fitted = remesh_by_metric(mesh, 1500, true);
-  check("metric", r, 2 * sagitta / diagonal + 1e-4);
-  CHECK(promises::number_of_self_intersections(fitted.after) == 0);
-  CHECK(Hde::measure_shape(fitted.after).number_of_folded_edges == 0);
-  CHECK(distance(fitted).face_rms < 0.7 * distance(r).face_rms);
-  // curves do not move, and planes are flat
-  CHECK(creases::segments(fitted.after, creases_of(fitted.after)) == creases::segments(r.after, creases_of(r.after)));
-  for (Remeshing<Function>* remeshing : {&r, &fitted})
-    for (const auto& region : vertices_of_regions(remeshing->after))
-      if (remeshing->function.piece(region.first).kind() == Hde::Piece_kind::PLANE)
-        for (const Mesh::Vertex_index v : region.second)
-          CHECK_CLOSE(std::abs(remeshing->after.point(v).z()), 1, 1e-9);
-}
-
-void test_error()
-{
-  const Mesh mesh = can(64, 32); // fine enough for its edges to become circles
-  const double diagonal = bounding_box_diagonal(mesh), sagitta = 1 - std::cos(pi / 64);
-  for (const double error : {0.01, 0.001})
-  {
-    Remeshing<Function> r = remesh_by_error(mesh, error);
-    check("error", r, 2 * sagitta / diagonal + 1e-4);
-    CHECK(r.result.binding_target == Hde::Target::APPROXIMATION_ERROR);
-    CHECK(r.result.approximation_error <= error);
-    CHECK(distance(r).face_max <= error + 1e-4 * diagonal);
-  }
-}
-
 // --- awkward input ---
 
 void test_bad_input()
@@ -791,8 +540,6 @@ int main()
   test_fixed_vertices();
   test_stopping();
   test_threads();
-  test_metric();
-  test_error();
   test_bad_input();
   test_all_edges();
   return check_summary();

@@ -1,0 +1,220 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+// What is promised of a mesh that was remeshed with creases: these and its regions are as before, and so is all else that is
+// promised of every mesh.
+
+#ifndef CGAL_ANISOTROPIC_HDE_REMESHING_TEST_CREASE_CHECKS_H
+#define CGAL_ANISOTROPIC_HDE_REMESHING_TEST_CREASE_CHECKS_H
+
+#include "creases.h"
+#include "promises.h"
+#include "remeshing_checks.h"
+
+#include <CGAL/Anisotropic_hde_remeshing/Surface_regions.h>
+#include <CGAL/Piecewise_rbf_implicit_function.h>
+
+#include <CGAL/Simple_cartesian.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iostream>
+#include <map>
+#include <set>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace crease_checks {
+
+using namespace shapes;
+
+namespace Hde = CGAL::Anisotropic_hde_remeshing;
+
+typedef CGAL::Parallel_if_available_tag Tag;
+// that of the one call, which is thus compiled but once
+typedef CGAL::Piecewise_rbf_implicit_function<CGAL::Simple_cartesian<double>, CGAL::Polyharmonic_rbf, Tag> Function;
+typedef Mesh::Property_map<Mesh::Edge_index, bool> Creases;
+typedef Mesh::Property_map<Mesh::Face_index, std::size_t> Regions;
+typedef Mesh::Property_map<Mesh::Vertex_index, bool> Fixed;
+
+// the maps of a mesh, which its copies have, too
+inline Creases creases_of(Mesh& mesh) { return mesh.add_property_map<Mesh::Edge_index, bool>("e:crease", false).first; }
+inline Regions regions_of(Mesh& mesh) { return mesh.add_property_map<Mesh::Face_index, std::size_t>("f:region", 0).first; }
+inline Fixed fixed_of(Mesh& mesh) { return mesh.add_property_map<Mesh::Vertex_index, bool>("v:fixed", false).first; }
+
+template <typename AnyFunction>
+struct Remeshing
+{
+  Mesh before, after; // with their maps
+  AnyFunction function;
+  Hde::Remeshing_result result;
+};
+
+// the regions between sharp edges and those that are marked already
+inline Function detect(Mesh& mesh, const double angle)
+{
+  const Creases creases = creases_of(mesh);
+  Hde::detect_surface_regions(mesh, creases, regions_of(mesh),
+                              CGAL::parameters::sharp_angle(angle).edge_is_constrained_map(creases));
+  return Function(mesh, regions_of(mesh));
+}
+
+// Where the nearest piece vanishes, for the promises of all meshes, and on the creases, which may be off it like any curve.
+template <typename AnyFunction>
+struct Nearest_piece
+{
+  const AnyFunction& function;
+  std::set<Point_3> on_creases;
+
+  Nearest_piece(const AnyFunction& f, Mesh& mesh) : function(f)
+  {
+    for (const Mesh::Edge_index e : mesh.edges())
+      if (creases_of(mesh)[e])
+        for (const int end : {0, 1})
+          on_creases.insert(mesh.point(mesh.vertex(e, unsigned(end))));
+  }
+
+  double operator()(const Point_3& p) const { return on_creases.count(p) == 1 ? 0 : piece(p)(to_point(p)); }
+  auto gradient(const Point_3& p) const { return piece(p).gradient(to_point(p)); }
+
+  static auto to_point(const Point_3& p)
+  {
+    typedef std::decay_t<decltype(std::declval<AnyFunction>().piece(0))> Piece;
+    return typename Piece::Point_3(p.x(), p.y(), p.z());
+  }
+
+private:
+  const auto& piece(const Point_3& p) const
+  {
+    std::size_t nearest = 0;
+    for (std::size_t i = 1; i < function.number_of_pieces(); ++i)
+      if (std::abs(function.piece(i)(to_point(p))) < std::abs(function.piece(nearest)(to_point(p))))
+        nearest = i;
+    return function.piece(nearest);
+  }
+};
+
+// of the vertices that are on no curve, from the zero set of their own piece
+template <typename AnyFunction>
+double largest_distance_between_curves(Mesh& mesh, const AnyFunction& function)
+{
+  const Nearest_piece<AnyFunction> nearest(function, mesh);
+  double largest = 0;
+  for (const Mesh::Vertex_index v : mesh.vertices())
+    if (!mesh.is_isolated(v) && !mesh.is_border(v) && nearest.on_creases.count(mesh.point(v)) == 0)
+    {
+      const auto& piece = function.piece(regions_of(mesh)[mesh.face(mesh.halfedge(v))]);
+      const auto p = nearest.to_point(mesh.point(v));
+      largest = (std::max)(largest, std::abs(piece(p)) / std::sqrt(piece.gradient(p).squared_length()));
+    }
+  return largest;
+}
+
+// by region: its vertices
+inline std::map<std::size_t, std::set<Mesh::Vertex_index>> vertices_of_regions(Mesh& mesh)
+{
+  std::map<std::size_t, std::set<Mesh::Vertex_index>> result;
+  for (const Mesh::Face_index f : mesh.faces())
+    for (const Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f)))
+      result[regions_of(mesh)[f]].insert(v);
+  return result;
+}
+
+// by region: its Euler characteristic
+inline std::map<std::size_t, std::ptrdiff_t> topology_of_regions(Mesh& mesh)
+{
+  const Regions regions = regions_of(mesh);
+  std::map<std::size_t, std::ptrdiff_t> result;
+  for (const auto& region : vertices_of_regions(mesh))
+    result[region.first] = std::ptrdiff_t(region.second.size());
+  for (const Mesh::Face_index f : mesh.faces())
+    ++result[regions[f]];
+  for (const Mesh::Edge_index e : mesh.edges())
+  {
+    std::set<std::size_t> sides;
+    for (const Mesh::Halfedge_index h : {mesh.halfedge(e), mesh.opposite(mesh.halfedge(e))})
+      if (!mesh.is_border(h))
+        sides.insert(regions[mesh.face(h)]);
+    for (const std::size_t region : sides)
+      --result[region];
+  }
+  return result;
+}
+
+inline double length(const creases::Segments& segments)
+{
+  double sum = 0;
+  for (const Kernel::Segment_3& s : segments)
+    sum += std::sqrt(s.squared_length());
+  return sum;
+}
+
+inline void check_curves(Mesh& mesh, const Hde::Feature_curves& curves)
+{
+  CHECK(curves.number_of_corners == creases::corners(mesh, creases_of(mesh)).size());
+  const double sum = length(creases::segments(mesh, creases_of(mesh)));
+  CHECK_CLOSE(curves.length, sum, 1e-10 * sum);
+}
+
+// `deviation` of the creases from those of the input, as a share of the diagonal
+template <typename AnyFunction>
+void check(const std::string& name, Remeshing<AnyFunction>& r, const double deviation = 1e-4)
+{
+  const std::string broken =
+      promises::broken(r.before, r.after, Nearest_piece<AnyFunction>(r.function, r.after), r.result, true);
+  const double diagonal = bounding_box_diagonal(r.before);
+  const creases::Segments before = creases::segments(r.before, creases_of(r.before)),
+                          after = creases::segments(r.after, creases_of(r.after));
+  const double forth = creases::largest_distance(after, before) / diagonal,
+               back = creases::largest_distance(before, after) / diagonal;
+  const auto np = CGAL::parameters::face_patch_map(regions_of(r.after));
+  const std::size_t folds = Hde::measure_embedding(r.after, r.function, np).number_of_folded_faces;
+  const double distance = largest_distance_between_curves(r.after, r.function) / diagonal;
+  std::cout << name << ": " << r.after.number_of_faces() << " faces, " << r.result.number_of_regions << " regions, "
+            << r.result.curves_before.number_of_curves << " curves, " << r.result.curves_before.number_of_corners
+            << " corners, creases/D " << forth << " and " << back << ", vertices/D " << distance << ", folds " << folds
+            << std::endl;
+  if (!CHECK(broken.empty()))
+    std::cerr << "  " << name << ": " << broken << std::endl;
+  CHECK(folds == 0);
+  if (r.result.projections.closest_point + r.result.number_of_unprojected_vertices == 0)
+    CHECK(distance <= 1e-9);
+  CHECK(forth <= deviation);
+  CHECK(back <= deviation);
+  CHECK(creases::number_of_missing_points(creases::corners(r.before, creases_of(r.before)), r.after) == 0);
+  CHECK(r.result.number_of_regions == r.function.number_of_pieces());
+  CHECK(topology_of_regions(r.before) == topology_of_regions(r.after));
+  CHECK(r.result.curves_before.number_of_curves == r.result.curves_after.number_of_curves);
+  check_curves(r.before, r.result.curves_before);
+  check_curves(r.after, r.result.curves_after);
+}
+
+// capped_cylinder() with the pieces of its faces
+inline Mesh can(const unsigned int segments, const unsigned int rows)
+{
+  Mesh mesh = capped_cylinder(segments, rows);
+  const Regions regions = regions_of(mesh);
+  const Creases creases = creases_of(mesh);
+  for (const Mesh::Face_index f : mesh.faces())
+  {
+    double z = 0;
+    for (const Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f)))
+      z += mesh.point(v).z() / 3;
+    regions[f] = std::abs(z) < 1 - 1e-9 ? 0 : z < 0 ? 1 : 2;
+  }
+  for (const Mesh::Edge_index e : mesh.edges())
+    creases[e] = regions[mesh.face(mesh.halfedge(e))] != regions[mesh.face(mesh.opposite(mesh.halfedge(e)))];
+  return mesh;
+}
+
+} // namespace crease_checks
+
+#endif // CGAL_ANISOTROPIC_HDE_REMESHING_TEST_CREASE_CHECKS_H
