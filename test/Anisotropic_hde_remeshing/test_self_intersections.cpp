@@ -89,7 +89,7 @@ void test_guard()
                                        {1, 0, 1},   {0, 1, 2},  {0, 0, -1}, {0, -1, 1}};
   const Indexed_triangle floor = triangle(points, {0, 1, 2}), above = triangle(points, {3, 4, 5}),
                          through = triangle(points, {3, 4, 6}), beside = triangle(points, {3, 7, 4});
-  Hde::internal::Intersection_guard guard;
+  Hde::internal::Intersection_guard<CGAL::Exact_predicates_inexact_constructions_kernel> guard;
   guard.assign({floor, above}, {1, 1});
   const std::vector<std::size_t> only_above = {1};
   CHECK(guard.accepts(only_above, std::vector<Indexed_triangle>{beside}));

@@ -41,10 +41,11 @@ struct Indexed_triangle
 };
 
 // Whether two triangles have more in common than the vertices and the edge that they share. Most pairs are told apart in
-// doubles, where these leave no doubt, the others exactly. Triangles without area do not intersect others: only the input has them.
+// doubles, where these leave no doubt, the others exactly, by `Kernel`. Triangles without area do not intersect others: only the input
+// has them. Exact predicates take long to compile: a template, so that programs that do not ask for them do without.
+template <typename Kernel>
 class Triangle_pair
 {
-  typedef Exact_predicates_inexact_constructions_kernel Kernel;
   // products in double are exact to some 1e-15 of those of the lengths
   static constexpr double rounding = 1e-12;
 
@@ -109,7 +110,8 @@ private:
 
   bool do_intersect_exactly() const
   {
-    const Kernel::Triangle_3 s(point(m_s, 0), point(m_s, 1), point(m_s, 2)), t(point(m_t, 0), point(m_t, 1), point(m_t, 2));
+    const typename Kernel::Triangle_3 s(point(m_s, 0), point(m_s, 1), point(m_s, 2)),
+        t(point(m_t, 0), point(m_t, 1), point(m_t, 2));
     if (s.is_degenerate() || t.is_degenerate())
       return false;
     switch (m_number_of_shared)
@@ -117,12 +119,12 @@ private:
     case 0:
       return CGAL::do_intersect(s, t);
     case 1: // the sides opposite to the vertex
-      return CGAL::do_intersect(s, Kernel::Segment_3(point(m_t, m_in_t[0] + 1), point(m_t, m_in_t[0] + 2))) ||
-             CGAL::do_intersect(t, Kernel::Segment_3(point(m_s, m_in_s[0] + 1), point(m_s, m_in_s[0] + 2)));
+      return CGAL::do_intersect(s, typename Kernel::Segment_3(point(m_t, m_in_t[0] + 1), point(m_t, m_in_t[0] + 2))) ||
+             CGAL::do_intersect(t, typename Kernel::Segment_3(point(m_s, m_in_s[0] + 1), point(m_s, m_in_s[0] + 2)));
     case 2: // in one plane and on one side of the edge
     {
-      const Kernel::Point_3 a = point(m_s, m_in_s[0]), b = point(m_s, m_in_s[1]), c = point(m_s, 3 - m_in_s[0] - m_in_s[1]),
-                            d = point(m_t, 3 - m_in_t[0] - m_in_t[1]);
+      const typename Kernel::Point_3 a = point(m_s, m_in_s[0]), b = point(m_s, m_in_s[1]),
+                                     c = point(m_s, 3 - m_in_s[0] - m_in_s[1]), d = point(m_t, 3 - m_in_t[0] - m_in_t[1]);
       return CGAL::coplanar(a, b, c, d) && CGAL::coplanar_orientation(a, b, c, d) == CGAL::POSITIVE;
     }
     default:
@@ -130,10 +132,10 @@ private:
     }
   }
 
-  static Kernel::Point_3 point(const Indexed_triangle& triangle, const std::size_t i)
+  static typename Kernel::Point_3 point(const Indexed_triangle& triangle, const std::size_t i)
   {
     const Vector& p = triangle.point(i);
-    return Kernel::Point_3(p[0], p[1], p[2]);
+    return typename Kernel::Point_3(p[0], p[1], p[2]);
   }
 
   const Indexed_triangle &m_s, &m_t;
@@ -141,9 +143,10 @@ private:
   std::size_t m_number_of_shared = 0;
 };
 
-inline bool do_triangles_intersect(const Indexed_triangle& s, const Indexed_triangle& t)
+template <typename Kernel = Exact_predicates_inexact_constructions_kernel>
+bool do_triangles_intersect(const Indexed_triangle& s, const Indexed_triangle& t)
 {
-  return Triangle_pair(s, t).do_intersect();
+  return Triangle_pair<Kernel>(s, t).do_intersect();
 }
 
 } // namespace internal

@@ -14,7 +14,8 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Jet.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Indexed_triangle.h>
 
-#include <boost/geometry.hpp>
+#include <boost/geometry/geometries/box.hpp>
+#include <boost/geometry/geometries/point.hpp>
 #include <boost/geometry/index/rtree.hpp>
 #include <boost/iterator/function_output_iterator.hpp>
 
@@ -27,7 +28,9 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// The faces of a mesh in an R-tree: whether others would intersect them. What intersects already may go on to.
+// The faces of a mesh in an R-tree: whether others would intersect them, by the predicates of `Kernel`. What intersects already may
+// go on to.
+template <typename Kernel>
 class Intersection_guard
 {
   typedef boost::geometry::model::point<double, 3, boost::geometry::cs::cartesian> Corner;
@@ -85,14 +88,14 @@ public:
     for (std::size_t i = 0; i < new_triangles.size(); ++i)
     {
       for (std::size_t k = 0; k < i; ++k)
-        if (do_triangles_intersect(new_triangles[i], new_triangles[k]) && !do_intersect_each_other(old_faces))
+        if (do_triangles_intersect<Kernel>(new_triangles[i], new_triangles[k]) && !do_intersect_each_other(old_faces))
           return false;
       bool is_accepted = true;
       for_each_near(new_triangles[i],
                     [&](const std::size_t f)
                     {
                       if (is_accepted && std::find(old_faces.begin(), old_faces.end(), f) == old_faces.end() &&
-                          do_triangles_intersect(new_triangles[i], m_triangles[f]))
+                          do_triangles_intersect<Kernel>(new_triangles[i], m_triangles[f]))
                         is_accepted = do_intersect_one_of(old_faces, f);
                     });
       if (!is_accepted)
@@ -109,7 +112,7 @@ public:
     for_each_near(m_triangles[f],
                   [&](const std::size_t g)
                   {
-                    if (f != g && is_asked_for(g) && do_triangles_intersect(m_triangles[f], m_triangles[g]))
+                    if (f != g && is_asked_for(g) && do_triangles_intersect<Kernel>(m_triangles[f], m_triangles[g]))
                       result.push_back(g);
                   });
     std::sort(result.begin(), result.end());
@@ -136,7 +139,7 @@ private:
   bool do_intersect_one_of(const Faces& faces, const std::size_t f) const
   {
     return std::any_of(faces.begin(), faces.end(),
-                       [&](const std::size_t g) { return do_triangles_intersect(m_triangles[f], m_triangles[g]); });
+                       [&](const std::size_t g) { return do_triangles_intersect<Kernel>(m_triangles[f], m_triangles[g]); });
   }
 
   template <typename Faces>
@@ -144,7 +147,7 @@ private:
   {
     for (auto f = faces.begin(); f != faces.end(); ++f)
       for (auto g = faces.begin(); g != f; ++g)
-        if (do_triangles_intersect(m_triangles[*f], m_triangles[*g]))
+        if (do_triangles_intersect<Kernel>(m_triangles[*f], m_triangles[*g]))
           return true;
     return false;
   }

@@ -59,7 +59,7 @@ public:
 };
 
 // No operation lets a face intersect another one, or an obstacle, that none of the faces before has intersected.
-template <typename Mesh>
+template <typename Mesh, typename Kernel = Exact_predicates_inexact_constructions_kernel>
 class Mesh_intersections
 {
   typedef typename Mesh::Vertex Vertex;
@@ -190,8 +190,8 @@ private:
     const Indexed_triangle before = triangle(f, in_mesh);
     result.erase(std::remove_if(result.begin(), result.end(),
                                 [&](const std::size_t g) {
-                                  return do_triangles_intersect(before, is_obstacle(g) ? m_obstacles.triangles[g]
-                                                                                       : triangle(face(g), in_mesh));
+                                  return do_triangles_intersect<Kernel>(before, is_obstacle(g) ? m_obstacles.triangles[g]
+                                                                                               : triangle(face(g), in_mesh));
                                 }),
                  result.end());
     return result;
@@ -253,7 +253,7 @@ private:
   const Mesh& m_mesh;
   const Obstacles m_obstacles;
   const bool m_is_active;
-  Intersection_guard m_guard;
+  Intersection_guard<Kernel> m_guard;
 };
 
 } // namespace internal

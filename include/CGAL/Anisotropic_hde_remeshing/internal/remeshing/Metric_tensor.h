@@ -13,7 +13,6 @@
 
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Jet.h>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
 
@@ -59,16 +58,20 @@ struct Metric_tensor
 // intersection of their unit balls up to that); both are positive definite.
 inline Eigen::Matrix2d metric_intersection(const Eigen::Matrix2d& a, const Eigen::Matrix2d& b)
 {
-  const Eigen::LLT<Eigen::Matrix2d> cholesky(a);
-  if (cholesky.info() != Eigen::Success)
+  // Cholesky's decomposition of a, and its inverse; Eigen's takes a second to compile
+  const double scale = std::sqrt(a(0, 0)), shear = a(1, 0) / scale, squared_height = a(1, 1) - shear * shear;
+  if (!(scale > 0) || !(squared_height > 0))
     return b;
-  const auto lower = cholesky.matrixL();
-  const Eigen::Matrix2d half = lower.solve(b), relative = lower.solve(half.transpose());
+  const double height = std::sqrt(squared_height);
+  Eigen::Matrix2d lower, inverse;
+  lower << scale, 0, shear, height;
+  inverse << 1 / scale, 0, -shear / (scale * height), 1 / height;
+  const Eigen::Matrix2d half = inverse * b, relative = half * inverse.transpose();
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver;
   solver.computeDirect(0.5 * (relative + relative.transpose()));
   if (solver.eigenvalues()[1] <= 1)
     return a;
-  const Eigen::Matrix2d axes = cholesky.matrixL() * solver.eigenvectors();
+  const Eigen::Matrix2d axes = lower * solver.eigenvectors();
   const Eigen::Matrix2d result = axes * solver.eigenvalues().cwiseMax(1.).asDiagonal() * axes.transpose();
   return 0.5 * (result + result.transpose());
 }
