@@ -12,15 +12,15 @@
 # Usage: scripts/build_elsewhere.sh [CONFIGURATION... | pairs | all]
 # A configuration is COMPILER,STANDARD,SUITE,TBB, for example clang++,20,trixie,OFF. `pairs`, the default, are six of them, in which
 # each compiler, standard, version of CGAL, and TBB or not, meets each of the others; `all` are 24.
-# BUILD_DIR (default build/elsewhere), JOBS (default 2), TARGETS (default all) and TESTS, a regular expression of the tests that are
-# run (default none: without optimisation they are slow) may be set in the environment.
+# BUILD_DIR (default build/elsewhere), JOBS (default 2), TARGETS (default all public_headers) and TESTS, a regular expression of the
+# tests that are run (default none: without optimisation they are slow) may be set in the environment.
 
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source scripts/common.sh
 
 build_dir=${BUILD_DIR:-build/elsewhere}
-read -r -a targets <<< "${TARGETS:-all}"
+read -r -a targets <<< "${TARGETS:-all public_headers}"
 suites=(bookworm trixie forky) # CGAL 5.5.1, 6.0.1 and 6.2
 pairs=(
   g++,17,bookworm,ON clang++,20,bookworm,OFF
@@ -69,8 +69,8 @@ build() {
   config=$(find "$folder/usr" -name CGALConfig.cmake | head -n 1)
   echo "Building $1 with CGAL $(sed -n 's/^#define CGAL_VERSION \(.*\)/\1/p' "$folder/usr/include/CGAL/version.h")"
   cmake -Wno-dev -S . -B "$build_dir/$1" -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_CXX_STANDARD="$standard" \
-    -DCGAL_DIR="$(dirname "$config")" -DCGAL_AHR_WITH_TBB="$tbb" -DCMAKE_COMPILE_WARNING_AS_ERROR=ON \
-    -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS=-O0 -DBUILD_TESTING=ON > "$build_dir/$1.log" || status=$?
+    -DCGAL_DIR="$(dirname "$config")" -DCGAL_AHR_WITH_TBB="$tbb" -DCGAL_AHR_WITH_SHARED_COMPILATION=OFF \
+    -DCMAKE_COMPILE_WARNING_AS_ERROR=ON -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS=-O0 -DBUILD_TESTING=ON > "$build_dir/$1.log" || status=$?
   if ((status == 0)); then
     cmake --build "$build_dir/$1" -j "${JOBS:-2}" --target "${targets[@]}" -- --keep-going >> "$build_dir/$1.log" 2>&1 || status=$?
   fi

@@ -20,7 +20,7 @@ build_dir=${BUILD_DIR:-build/tidy}
 install_packages
 install_missing clang clang-tidy
 cmake -Wno-dev -S . -B "$build_dir" -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_EXPORT_COMPILE_COMMANDS=ON -DBUILD_TESTING=ON \
-  -DCGAL_AHR_WITH_PRECOMPILED_HEADERS=OFF
+  -DCGAL_AHR_WITH_SHARED_COMPILATION=OFF
 files=("$@")
 if ((${#files[@]} == 0)); then
   # this header includes all others that are public but those named after it

@@ -23,7 +23,7 @@ install_missing gcovr
 unpack_cgal_data "$build_dir"
 cmake -Wno-dev -S . -B "$build_dir" -DCMAKE_CXX_COMPILER=g++ -DCMAKE_BUILD_TYPE=None -DBUILD_TESTING=ON \
   -DCMAKE_CXX_FLAGS='-O1 -DNDEBUG --coverage -fprofile-update=atomic' -DCGAL_AHR_WITH_EXAMPLES=OFF \
-  -DCGAL_AHR_WITH_PRECOMPILED_HEADERS=OFF
+  -DCGAL_AHR_WITH_SHARED_COMPILATION=OFF
 cmake --build "$build_dir" -j "${JOBS:-2}"
 find "$build_dir" -name '*.gcda' -delete
 # all but those of the installation and of CGAL's data, which run no other lines

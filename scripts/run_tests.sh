@@ -32,6 +32,6 @@ cmake --build "$build_dir" -j "$jobs"
 echo "Built in $SECONDS s"
 cd "$build_dir"
 status=0
-ctest --output-on-failure --no-tests=error -LE 'address|thread|fuzz|memcheck|elsewhere' || status=$?
+ctest -j "$jobs" --output-on-failure --no-tests=error -LE 'address|thread|fuzz|memcheck|elsewhere' || status=$?
 [[ $instrumented == OFF ]] || ctest --output-on-failure --no-tests=error -L 'address|thread|fuzz|memcheck|elsewhere' || status=$?
 exit $status

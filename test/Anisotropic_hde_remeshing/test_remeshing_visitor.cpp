@@ -168,7 +168,8 @@ struct Late_visitor : Hde::Remeshing_visitor
   }
 };
 
-// whichever stage it is in, the call returns soon, with a valid mesh on the surface
+// Whichever stage it is in, the call returns within 0.2 s, with a valid mesh on the surface; on a machine that takes more than five
+// seconds for the whole run, within a 25th of it.
 template <typename Remesh>
 void test_latency(const std::string& name, const Mesh& input, const Remesh& remesh)
 {
@@ -180,12 +181,13 @@ void test_latency(const std::string& name, const Mesh& input, const Remesh& reme
     remesh(mesh, Late_visitor(1e9, answer));
     whole = seconds_since(begin);
   }
+  const double allowed = (std::max)(0.2, whole / 25);
   double worst = 0;
   for (const double share : {0.02, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 0.95})
   {
     // another program may take the processor away meanwhile, but not three times in a row
     double best = 1e9;
-    for (int attempt = 0; attempt < 3 && !(best < 0.2); ++attempt)
+    for (int attempt = 0; attempt < 3 && !(best < allowed); ++attempt)
     {
       Mesh mesh = input;
       const Hde::Remeshing_result result = remesh(mesh, Late_visitor(share * whole, answer));
@@ -199,8 +201,9 @@ void test_latency(const std::string& name, const Mesh& input, const Remesh& reme
     }
     worst = (std::max)(worst, best);
   }
-  std::cout << name << ": " << whole << " s; stopped, it returns within " << worst << " s" << std::endl;
-  CHECK(worst < 0.2);
+  std::cout << name << ": " << whole << " s; stopped, it returns within " << worst << " s, " << allowed << " allowed"
+            << std::endl;
+  CHECK(worst < allowed);
 }
 
 void test_latencies()

@@ -11,10 +11,10 @@
 //   benchmark_creases MESH ANGLE COUNT SIGMA...
 //
 // COUNT is a number of vertices, or, with a % behind, a share of those of MESH; SIGMA a fraction of the diagonal D, or p and a
-// number or inf, the metric of the curvature, or `smooth` and one of these for one smooth function in place of one a region;
-// an f behind fits the vertices to the surface in the end. Distances are over D; normals, in degrees, are the root mean square over
-// the result of the angle between its faces and the nearest faces of MESH. "creases" are the largest distance of the crease edges
-// of the result from those of MESH, and the reverse.
+// number or inf, the metric of the curvature; an f behind fits the vertices to the surface in the end; `smooth` and a fraction is
+// one smooth function in place of one a region. Distances are over D; normals, in degrees, are the root mean square over the
+// result of the angle between its faces and the nearest faces of MESH. "creases" are the largest distance of the crease edges of
+// the result from those of MESH, and the reverse.
 
 #include "creases.h"
 #include "seconds_of.h"
@@ -94,63 +94,71 @@ Hde::Remeshing_result remesh(Mesh& mesh, const Function& function, const Crease_
   return run(Hde::Normal_embedding(std::stod(sigma) * bounding_box_diagonal(mesh)));
 }
 
-void run(const Mesh& input, const double angle, const std::size_t faces, const std::string& name)
+// a remeshed input, and what there is to tell of it
+struct Run
 {
-  Mesh mesh = input;
-  const Crease_map creases = mesh.add_property_map<Mesh::Edge_index, bool>("e:crease", false).first;
-  const Region_map regions = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:region", 0).first;
+  Mesh mesh;
   Hde::Remeshing_result result;
-  double seconds = 0, zero_set = 0;
-  creases::Segments before;
+  double zero_set = 0, seconds = 0;
+  // none of one smooth function
+  creases::Segments creases_before, creases_after;
   std::vector<Point_3> corners;
-  if (name.substr(0, 6) == "smooth")
-  {
-    // the creases are looked for to compare with them only
-    Hde::detect_surface_regions(mesh, creases, regions, CGAL::parameters::sharp_angle(angle));
-    before = creases::segments(mesh, creases);
-    corners = creases::corners(mesh, creases);
-    mesh = input;
-    seconds = seconds_of(
-        [&]
-        {
-          const CGAL::Rbf_implicit_function<Kernel> function(mesh);
-          const double sigma = std::stod(name.substr(6)) * bounding_box_diagonal(mesh);
-          result = CGAL::anisotropic_hde_remeshing<Tag>(mesh, function,
-                                                        CGAL::parameters::sigma(sigma).number_of_target_faces(faces));
-          zero_set = Hde::measure_distance_to_zero_set<Tag>(mesh, function).face_rms;
-        });
-  }
-  else
-  {
-    seconds = seconds_of([&] { Hde::detect_surface_regions(mesh, creases, regions, CGAL::parameters::sharp_angle(angle)); });
-    before = creases::segments(mesh, creases);
-    corners = creases::corners(mesh, creases);
-    seconds += seconds_of(
-        [&]
-        {
-          const CGAL::Piecewise_rbf_implicit_function<Kernel> function(mesh, regions);
-          result = remesh(mesh, function, creases, regions, faces, name);
-          zero_set = Hde::measure_distance_to_zero_set<Tag>(mesh, function, CGAL::parameters::face_patch_map(regions)).face_rms;
-        });
-    mesh.collect_garbage();
-  }
+};
+
+Run run_with_one_function(const Mesh& input, const std::size_t faces, const double relative_sigma)
+{
+  Run run;
+  run.mesh = input;
+  run.seconds = seconds_of(
+      [&]
+      {
+        const CGAL::Rbf_implicit_function<Kernel> function(run.mesh);
+        run.result = CGAL::anisotropic_hde_remeshing<Tag>(
+            run.mesh, function, CGAL::parameters::relative_sigma(relative_sigma).number_of_target_faces(faces));
+        run.zero_set = Hde::measure_distance_to_zero_set<Tag>(run.mesh, function).face_rms;
+      });
+  return run;
+}
+
+Run run_with_regions(const Mesh& input, const double angle, const std::size_t faces, const std::string& sigma)
+{
+  Run run;
+  run.mesh = input;
+  const Crease_map creases = run.mesh.add_property_map<Mesh::Edge_index, bool>("e:crease", false).first;
+  const Region_map regions = run.mesh.add_property_map<Mesh::Face_index, std::size_t>("f:region", 0).first;
+  run.seconds =
+      seconds_of([&] { Hde::detect_surface_regions(run.mesh, creases, regions, CGAL::parameters::sharp_angle(angle)); });
+  run.creases_before = creases::segments(run.mesh, creases);
+  run.corners = creases::corners(run.mesh, creases);
+  run.seconds += seconds_of(
+      [&]
+      {
+        const CGAL::Piecewise_rbf_implicit_function<Kernel> function(run.mesh, regions);
+        run.result = remesh(run.mesh, function, creases, regions, faces, sigma);
+        run.zero_set =
+            Hde::measure_distance_to_zero_set<Tag>(run.mesh, function, CGAL::parameters::face_patch_map(regions)).face_rms;
+      });
+  run.creases_after = creases::segments(run.mesh, creases);
+  run.mesh.collect_garbage();
+  return run;
+}
+
+void print(const std::string& name, const Mesh& input, const Run& run)
+{
   const double diagonal = bounding_box_diagonal(input);
-  const Hde::Distance_measures distance = Hde::measure_distance<Tag>(mesh, input);
-  std::cout << std::setw(12) << name << std::setw(8) << mesh.number_of_vertices() << " v  rms " << std::scientific
+  const Hde::Distance_measures distance = Hde::measure_distance<Tag>(run.mesh, input);
+  std::cout << std::setw(12) << name << std::setw(8) << run.mesh.number_of_vertices() << " v  rms " << std::scientific
             << std::setprecision(2) << distance.rms() / diagonal << "  max " << distance.max() / diagonal << "  zero set "
-            << zero_set / diagonal << "  normals " << std::fixed << normal_deviation_from(input, mesh) << "  regions "
-            << result.number_of_regions << "  curves " << result.curves_before.number_of_curves << "  length "
-            << result.curves_after.length / result.curves_before.length;
-  if (name.substr(0, 6) != "smooth")
-  {
-    const auto after = creases::segments(mesh, creases);
-    std::cout << "  corners " << corners.size() << ", lost " << creases::number_of_missing_points(corners, mesh) << "  creases "
-              << std::scientific << creases::largest_distance(after, before) / diagonal << " "
-              << creases::largest_distance(before, after) / diagonal << std::fixed;
-  }
+            << run.zero_set / diagonal << "  normals " << std::fixed << normal_deviation_from(input, run.mesh) << "  regions "
+            << run.result.number_of_regions << "  curves " << run.result.curves_before.number_of_curves << "  length "
+            << run.result.curves_after.length / run.result.curves_before.length;
+  if (!run.creases_before.empty())
+    std::cout << "  corners " << run.corners.size() << ", lost " << creases::number_of_missing_points(run.corners, run.mesh)
+              << "  creases " << std::scientific << creases::largest_distance(run.creases_after, run.creases_before) / diagonal
+              << " " << creases::largest_distance(run.creases_before, run.creases_after) / diagonal << std::fixed;
   std::cout << "  folds " << Hde::measure_shape(input).number_of_folded_edges << " "
-            << Hde::measure_shape(mesh).number_of_folded_edges << "  intersections " << number_of_self_intersections(input)
-            << " " << number_of_self_intersections(mesh) << "  " << seconds << " s" << std::endl;
+            << Hde::measure_shape(run.mesh).number_of_folded_edges << "  intersections " << number_of_self_intersections(input)
+            << " " << number_of_self_intersections(run.mesh) << "  " << run.seconds << " s" << std::endl;
 }
 
 int main(int argc, char** argv)
@@ -166,8 +174,15 @@ int main(int argc, char** argv)
     const double number = std::stod(count) * (count.back() == '%' ? 0.01 * double(input.number_of_vertices()) : 1.);
     const double faces = number / double(input.number_of_vertices()) * double(input.number_of_faces());
     std::cout << argv[1] << ", " << input.number_of_vertices() << " vertices, sharp " << argv[2] << std::endl;
+    const std::string smooth = "smooth";
     for (int i = 4; i < argc; ++i)
-      run(input, std::stod(argv[2]), std::size_t(faces), argv[i]);
+    {
+      const std::string name = argv[i];
+      const bool is_smooth = name.compare(0, smooth.size(), smooth) == 0;
+      print(name, input,
+            is_smooth ? run_with_one_function(input, std::size_t(faces), std::stod(name.substr(smooth.size())))
+                      : run_with_regions(input, std::stod(argv[2]), std::size_t(faces), name));
+    }
   }
   catch (const std::exception& error)
   {

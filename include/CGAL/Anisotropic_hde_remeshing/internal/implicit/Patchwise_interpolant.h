@@ -21,6 +21,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Signed_distance.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
 
+#include <CGAL/Radial_basis_functions.h>
 #include <CGAL/Real_timer.h>
 
 #include <algorithm>
@@ -80,27 +81,7 @@ class Patchwise_interpolant
 
 public:
   Patchwise_interpolant(Sample_ptr sample, Distance_ptr distance, const Interpolation_parameters& parameters,
-                        const RadialFunction& function, const double unit_of_length, Interruption& interruption)
-    : m_sample(std::move(sample)), m_distance(std::move(distance))
-  {
-    Real_timer timer;
-    timer.start();
-    const std::size_t number_of_patches = parameters.number_of_patches > 0
-                                              ? parameters.number_of_patches
-                                              : Interpolation_parameters::patches_of(m_sample->size());
-    m_tree = Blending_tree(ConcurrencyTag(), *m_sample, number_of_patches, parameters.patch_blending, parameters.patch_overlap,
-                           maximum_points_of_patch(number_of_patches, parameters), interruption);
-    m_diagnostics.partition_seconds = timer.time();
-    timer.reset();
-    const Offsets offsets(*m_sample, m_tree, parameters.relative_offset, parameters.absolute_offset,
-                          parameters.offsets_on_both_sides, interruption);
-    m_diagnostics.constraint_seconds = timer.time();
-    timer.reset();
-    solve(Solver_of_patch(*m_sample, offsets, function, unit_of_length), parameters, interruption);
-    m_diagnostics.solve_seconds = timer.time();
-    m_diagnostics.number_of_shortened_offsets = offsets.number_of_shortened_offsets();
-    m_tree.release_points();
-  }
+                        const RadialFunction& function, double unit_of_length, Interruption& interruption);
 
   template <int order>
   Jet<order> evaluate(const Vector& p) const
@@ -314,6 +295,36 @@ private:
   std::vector<Patch> m_patches;
   Rbf_diagnostics m_diagnostics;
 };
+
+template <typename RadialFunction, typename ConcurrencyTag>
+Patchwise_interpolant<RadialFunction, ConcurrencyTag>::Patchwise_interpolant(Sample_ptr sample, Distance_ptr distance,
+                                                                             const Interpolation_parameters& parameters,
+                                                                             const RadialFunction& function,
+                                                                             const double unit_of_length,
+                                                                             Interruption& interruption)
+  : m_sample(std::move(sample)), m_distance(std::move(distance))
+{
+  Real_timer timer;
+  timer.start();
+  const std::size_t number_of_patches =
+      parameters.number_of_patches > 0 ? parameters.number_of_patches : Interpolation_parameters::patches_of(m_sample->size());
+  m_tree = Blending_tree(ConcurrencyTag(), *m_sample, number_of_patches, parameters.patch_blending, parameters.patch_overlap,
+                         maximum_points_of_patch(number_of_patches, parameters), interruption);
+  m_diagnostics.partition_seconds = timer.time();
+  timer.reset();
+  const Offsets offsets(*m_sample, m_tree, parameters.relative_offset, parameters.absolute_offset,
+                        parameters.offsets_on_both_sides, interruption);
+  m_diagnostics.constraint_seconds = timer.time();
+  timer.reset();
+  solve(Solver_of_patch(*m_sample, offsets, function, unit_of_length), parameters, interruption);
+  m_diagnostics.solve_seconds = timer.time();
+  m_diagnostics.number_of_shortened_offsets = offsets.number_of_shortened_offsets();
+  m_tree.release_points();
+}
+
+#ifdef CGAL_AHR_WITH_SHARED_INSTANTIATIONS // cmake/Shared_compilation.cmake: compiled once for the package's own programs
+extern template class Patchwise_interpolant<Polyharmonic_rbf, Parallel_if_available_tag>;
+#endif
 
 } // namespace internal
 } // namespace Anisotropic_hde_remeshing

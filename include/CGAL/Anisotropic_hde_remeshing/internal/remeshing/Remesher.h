@@ -19,6 +19,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Operation_guard.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Target_length.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Vertex_projector.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Visitor_reference.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/remeshing_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/reorder_mesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/update_metric.h>
@@ -36,7 +37,7 @@ namespace Anisotropic_hde_remeshing {
 namespace internal {
 
 // The second of the paper's two steps: makes the mesh uniform and isotropic in the embedding by local operations.
-template <typename ConcurrencyTag, typename Embedding, typename Projection, typename Intersections, typename Visitor>
+template <typename ConcurrencyTag, typename Embedding, typename Projection, typename Intersections>
 class Remesher
 {
   typedef Working_mesh<typename Embedding::Vertex_data> Mesh;
@@ -80,8 +81,8 @@ class Remesher
 
 public:
   Remesher(Mesh& mesh, const Embedding& embedding, const Projection& projection, const Curve_network& curves,
-           Intersections& intersections, const Remeshing_parameters& parameters, const double diagonal, Visitor& visitor,
-           Interruption& interruption, Remeshing_result& result)
+           Intersections& intersections, const Remeshing_parameters& parameters, const double diagonal,
+           const Visitor_reference visitor, Interruption& interruption, Remeshing_result& result)
     : m_mesh(mesh),
       m_embedding(embedding),
       m_projection(projection),
@@ -373,7 +374,7 @@ private:
   const Remeshing_parameters m_parameters;
   const double m_diagonal; // of the mesh
   const bool m_has_creases;
-  Visitor& m_visitor;
+  const Visitor_reference m_visitor;
   Interruption& m_interruption;
   Remeshing_result& m_result;
   Guard m_guard;

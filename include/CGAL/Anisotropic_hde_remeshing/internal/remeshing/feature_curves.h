@@ -12,7 +12,7 @@
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_result.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/pieces.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Surface_function.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Working_mesh.h>
 
 #include <algorithm>
@@ -46,10 +46,10 @@ Feature_curves feature_curves(const Mesh& mesh, const double unit)
 }
 
 // whether there are edges that a piecewise function keeps sharp, other than the boundary
-template <typename Mesh, typename Function>
-bool has_creases(const Mesh& mesh, const Function&)
+template <typename Mesh>
+bool has_creases(const Mesh& mesh, const Surface_function& function)
 {
-  if constexpr (is_piecewise<Function>)
+  if (function.is_piecewise())
     for (const Edge_index e : mesh.edges())
       if (mesh.is_on_curve(e) && !mesh.is_border(e))
         return true;

@@ -19,15 +19,14 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/check_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/pieces.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Curve_network.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Input_surface.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Mesh_intersections.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Remesher.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Surface_projection.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/feature_curves.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Surface_function.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Target_length.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Visitor_reference.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/load_mesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/load_obstacles.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/orient_normals.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/remesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/remeshing_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/store_mesh.h>
 
@@ -59,63 +58,6 @@ std::vector<Region> regions_of_faces(const Mesh_origin<TriangleMesh>& origin, co
     result.push_back(Region(region));
   }
   return result;
-}
-
-// the second step, on the copy of the mesh; `diagonal` in the unit of the caller, `unit` that of the copy
-template <typename ConcurrencyTag, typename Embedding, typename Function, typename Intersections, typename Visitor,
-          typename NamedParameters>
-void remesh(Working_mesh<typename Embedding::Vertex_data>& mesh, const Embedding& embedding, const Function& function,
-            const Input_surface& input, Intersections& intersections, const double diagonal, const double unit,
-            Visitor& visitor, Interruption& interruption, const NamedParameters& np, Remeshing_result& result)
-{
-  typedef Surface_projection<Function> Projection;
-  typedef Remesher<ConcurrencyTag, Embedding, Projection, Intersections, Visitor> Remesher;
-  static constexpr double exact_distance = 1e-9;           // of the diagonal; one more step of Newton squares it
-  static constexpr double largest_crease_deviation = 5e-5; // likewise: of an edge on a curve from the polyline of the input
-
-  Real_timer timer;
-  timer.start();
-  visitor.stage_started(Stage::PROJECTION);
-  Remeshing_parameters parameters = remeshing_parameters(np);
-  parameters.error = error_parameter(np, diagonal) / unit;
-  if (parameters.number_of_iterations > 0)
-    reorder_in_space<ConcurrencyTag>(mesh, interruption);
-  Curve_network curves(mesh);
-  mesh.mark_creases();
-  if (has_creases(mesh, function))
-    curves.set_largest_deviation(largest_crease_deviation * diagonal / unit);
-  result.number_of_regions = number_of_pieces(function);
-  result.curves_before = feature_curves(mesh, unit);
-  Projection projection(function, input, exact_distance * diagonal / unit, unit);
-  Remesher remesher(mesh, embedding, projection, curves, intersections, parameters, diagonal / unit, visitor, interruption,
-                    result);
-  remesher.project_input();
-  const std::vector<double> signs = orientations(mesh, number_of_pieces(function));
-  for (std::size_t i = 0; i < signs.size(); ++i)
-    projection.set_orientation(Region(i), signs[i]);
-  orient_normals(mesh, signs);
-  result.projection_seconds = timer.time();
-  if (interruption.is_requested())
-    return;
-
-  timer.reset();
-  visitor.stage_started(Stage::REMESHING);
-  const double unit_of_lengths = embedding.unit_of_lengths(unit);
-  Target_length target = target_length(np, embedding.unit_of_lengths(diagonal), unit_of_lengths, mesh.number_of_faces());
-  if (target.is_length_given())
-    result.binding_target = Target::EDGE_LENGTH;
-  if (parameters.error > 0)
-    remesher.start_from_error(target);
-  remesher.update(target);
-  if (is_metric<Embedding>)
-    remesher.update(target);
-  check_number_of_faces(target, unit_of_lengths);
-  remesher.run(target);
-  result.target_edge_length *= unit_of_lengths;
-  result.approximation_error *= unit;
-  result.projections = projection.counters();
-  result.curves_after = feature_curves(mesh, unit);
-  result.remeshing_seconds = timer.time();
 }
 
 // where they are asked for
@@ -196,8 +138,13 @@ Remeshing_result remesh_faces(const FaceRange& faces, TriangleMesh& tmesh, const
   if constexpr (std::is_same<Embedding, Normal_embedding>::value)
     result.sigma = embedding.sigma();
   auto intersections = intersections_parameter(np, mesh, tmesh, vpm, origin, is_whole_mesh);
-  remesh<ConcurrencyTag>(mesh, embedding.in_unit(origin.unit), function, input, intersections, origin.diagonal, origin.unit,
-                         visitor, interruption, np, result);
+  Remeshing_parameters parameters = remeshing_parameters(np);
+  parameters.error = error_parameter(np, origin.diagonal) / origin.unit;
+  const Embedding embedding_in_unit = embedding.in_unit(origin.unit);
+  const Target_length target = target_length(np, embedding_in_unit.unit_of_lengths(origin.diagonal),
+                                             embedding_in_unit.unit_of_lengths(origin.unit), mesh.number_of_faces());
+  remesh<ConcurrencyTag>(mesh, embedding_in_unit, Surface_function(function), input, intersections, origin.diagonal,
+                         origin.unit, Visitor_reference(visitor), interruption, parameters, target, result);
   result.was_stopped = interruption.is_requested();
   if (result.was_stopped && result.number_of_iterations == 0)
     return result; // not all vertices may be on the surface yet
