@@ -14,12 +14,23 @@ if(CGAL_AHR_WITH_SHARED_COMPILATION)
   target_link_libraries(shared_instantiations PUBLIC Anisotropic_hde_remeshing::Anisotropic_hde_remeshing)
   target_compile_definitions(shared_instantiations PUBLIC CGAL_AHR_WITH_SHARED_INSTANTIATIONS)
   # The package's own headers would have them compiled anew at every change.
-  target_precompile_headers(shared_instantiations PRIVATE
+  set(precompiled_headers
     <CGAL/Exact_predicates_inexact_constructions_kernel.h>
     <CGAL/Surface_mesh.h>
     <CGAL/AABB_tree.h>
+    <CGAL/Orthogonal_k_neighbor_search.h>
     <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
-    <Eigen/Dense>)
+    <CGAL/Polygon_mesh_processing/detect_features.h>
+    <CGAL/hilbert_sort.h>
+    <Eigen/Dense>
+    <Eigen/Sparse>
+    <boost/geometry/geometries/box.hpp>
+    <boost/geometry/geometries/point.hpp>
+    <boost/geometry/index/rtree.hpp>)
+  if(CGAL_AHR_WITH_TBB AND TARGET CGAL::TBB_support)
+    list(APPEND precompiled_headers <tbb/parallel_for.h> <tbb/parallel_sort.h>)
+  endif()
+  target_precompile_headers(shared_instantiations PRIVATE ${precompiled_headers})
 endif()
 
 function(share_compilation target)

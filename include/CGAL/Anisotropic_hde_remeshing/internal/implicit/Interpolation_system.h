@@ -60,18 +60,23 @@ struct Interpolation_coefficients
 // Solves the paper's system (11), (A + lambda I, P; P^T, 0) (alpha, beta) = (f, 0), for one patch. lambda, the smoothing, is 0
 // for interpolation. The interpolation matrix A of a conditionally positive definite function is definite on the null space of
 // P^T: with P = Q (R; 0) and Z the columns of Q beyond those of R, alpha = Z u and (Z^T A Z + lambda I) u = Z^T f, which
-// Cholesky solves in half of the time of LU. No template, so that it is compiled once for all kernels.
+// Cholesky solves in half of the time of LU. A template of the matrix, not of the kernel: compiled once for all kernels, and not at all
+// where no function is built.
+template <typename Dense_matrix>
 class Interpolation_system
 {
+  typedef Eigen::Matrix<typename Dense_matrix::Scalar, Eigen::Dynamic, 1> Column;
+  typedef Eigen::Ref<Dense_matrix> Matrix_reference;
+  typedef Polynomial_null_space<Dense_matrix> Null_space;
+
 public:
   // `matrix` makes A + lambda I, symmetric: once, as a rule, as it is overwritten by its factor, and once more after a failure
-  Interpolation_system(std::function<Eigen::MatrixXd()> matrix, const Eigen::MatrixXd& polynomials,
-                       const Polynomial_null_space& null_space)
+  Interpolation_system(std::function<Dense_matrix()> matrix, const Dense_matrix& polynomials, const Null_space& null_space)
     : m_matrix(std::move(matrix)), m_polynomials(polynomials), m_null_space(null_space)
   {
   }
 
-  Interpolation_coefficients solve(const Eigen::VectorXd& data) const
+  Interpolation_coefficients solve(const Column& data) const
   {
     for (const double ridge : {0., 1e-14, 1e-12, 1e-10})
     {
@@ -91,24 +96,24 @@ private:
   // over the right-hand side: less is not worth another step
   static constexpr double good_residual = 1e-11;
 
-  Interpolation_coefficients solve_on_null_space(const Eigen::VectorXd& data, const double ridge) const
+  Interpolation_coefficients solve_on_null_space(const Column& data, const double ridge) const
   {
     const Eigen::Index n = m_polynomials.rows(), q = m_polynomials.cols(), m = n - q;
-    Eigen::MatrixXd matrix = m_matrix();
+    Dense_matrix matrix = m_matrix();
     m_null_space.transform(matrix);
-    const Eigen::VectorXd right = m_null_space.transformed(data);
-    const Eigen::MatrixXd mixed = matrix.topRightCorner(q, m);
+    const Column right = m_null_space.transformed(data);
+    const Dense_matrix mixed = matrix.topRightCorner(q, m);
 
     Interpolation_coefficients result;
     result.relative_residual = std::numeric_limits<double>::infinity();
-    Eigen::VectorXd u = right.tail(m);
+    Column u = right.tail(m);
     const double residual = solve_definite(matrix.bottomRightCorner(m, m), ridge, u, result.condition);
     if (!std::isfinite(residual))
       return result;
-    result.weights = Eigen::VectorXd::Zero(n);
+    result.weights = Column::Zero(n);
     result.weights.tail(m) = u;
     result.weights = m_null_space.transformed_back(result.weights);
-    const Eigen::VectorXd polynomial_right = right.head(q) - mixed * u;
+    const Column polynomial_right = right.head(q) - mixed * u;
     result.polynomial = m_null_space.solve_triangle(polynomial_right);
     // Q is orthogonal, hence the residual in its coordinates is as large as that of (11)
     if (result.is_finite())
@@ -118,57 +123,57 @@ private:
 
   // Overwrites `u` by the solution of the system with it as the right-hand side, and the lower triangle of the matrix by its
   // factor; returns the largest residual, infinite if the matrix is not positive definite.
-  static double solve_definite(Eigen::Ref<Eigen::MatrixXd> matrix, const double ridge, Eigen::VectorXd& u, double& condition)
+  static double solve_definite(Matrix_reference matrix, const double ridge, Column& u, double& condition)
   {
     if (ridge > 0)
       matrix.diagonal().array() += ridge * matrix.diagonal().mean();
-    const Eigen::VectorXd diagonal = matrix.diagonal(), right = u;
+    const Column diagonal = matrix.diagonal(), right = u;
     if (!factorize(matrix))
       return std::numeric_limits<double>::infinity();
-    const auto solve_in_place = [&](Eigen::VectorXd& x)
+    const auto solve_in_place = [&](Column& x)
     {
-      matrix.triangularView<Eigen::Lower>().solveInPlace(x);
-      matrix.triangularView<Eigen::Lower>().transpose().solveInPlace(x);
+      matrix.template triangularView<Eigen::Lower>().solveInPlace(x);
+      matrix.template triangularView<Eigen::Lower>().transpose().solveInPlace(x);
     };
     const Eigen::ArrayXd pivots = matrix.diagonal();
     condition = pivots.size() > 0 ? std::pow(pivots.maxCoeff() / pivots.minCoeff(), 2) : 1.;
     // the upper triangle still is the matrix's
-    const auto residual = [&]() -> Eigen::VectorXd
+    const auto residual = [&]() -> Column
     {
-      Eigen::VectorXd r = right - diagonal.cwiseProduct(u);
-      r.noalias() -= matrix.triangularView<Eigen::StrictlyUpper>() * u;
-      r.noalias() -= matrix.triangularView<Eigen::StrictlyUpper>().transpose() * u;
+      Column r = right - diagonal.cwiseProduct(u);
+      r.noalias() -= matrix.template triangularView<Eigen::StrictlyUpper>() * u;
+      r.noalias() -= matrix.template triangularView<Eigen::StrictlyUpper>().transpose() * u;
       return r;
     };
     solve_in_place(u);
-    Eigen::VectorXd rest = residual();
-    if (rest.lpNorm<Eigen::Infinity>() > good_residual * right.lpNorm<Eigen::Infinity>())
+    Column rest = residual();
+    if (rest.template lpNorm<Eigen::Infinity>() > good_residual * right.template lpNorm<Eigen::Infinity>())
     {
       solve_in_place(rest); // a step of iterative refinement
       u += rest;
       rest = residual();
     }
-    return rest.lpNorm<Eigen::Infinity>();
+    return rest.template lpNorm<Eigen::Infinity>();
   }
 
   // Cholesky's factor in the place of the lower triangle; false if the matrix is not positive definite. By halves down to a size
   // that stays in the cache: for some hundred unknowns a fifth faster than Eigen's LLT with its narrow panels, and to compile.
-  static bool factorize(Eigen::Ref<Eigen::MatrixXd> matrix)
+  static bool factorize(Matrix_reference matrix)
   {
     static constexpr Eigen::Index smallest = 32;
     const Eigen::Index n = matrix.rows(), half = n / 2 / 4 * 4; // columns that begin on a SIMD boundary as the first does
     if (n <= smallest)
       return factorize_directly(matrix);
-    Eigen::Ref<Eigen::MatrixXd> first = matrix.topLeftCorner(half, half), below = matrix.bottomLeftCorner(n - half, half),
-                                second = matrix.bottomRightCorner(n - half, n - half);
+    Matrix_reference first = matrix.topLeftCorner(half, half), below = matrix.bottomLeftCorner(n - half, half),
+                     second = matrix.bottomRightCorner(n - half, n - half);
     if (!factorize(first))
       return false;
-    first.triangularView<Eigen::Lower>().transpose().solveInPlace<Eigen::OnTheRight>(below);
-    second.selfadjointView<Eigen::Lower>().rankUpdate(below, -1);
+    first.template triangularView<Eigen::Lower>().transpose().template solveInPlace<Eigen::OnTheRight>(below);
+    second.template selfadjointView<Eigen::Lower>().rankUpdate(below, -1);
     return factorize(second);
   }
 
-  static bool factorize_directly(Eigen::Ref<Eigen::MatrixXd> matrix)
+  static bool factorize_directly(Matrix_reference matrix)
   {
     const Eigen::Index n = matrix.rows();
     for (Eigen::Index j = 0; j < n; ++j)
@@ -185,32 +190,32 @@ private:
   }
 
   // the whole indefinite system, for the data that the null space method cannot take: all of them in a plane, say
-  Interpolation_coefficients solve_whole(const Eigen::VectorXd& data) const
+  Interpolation_coefficients solve_whole(const Column& data) const
   {
     const Eigen::Index n = m_polynomials.rows(), q = m_polynomials.cols();
-    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n + q, n + q);
+    Dense_matrix matrix = Dense_matrix::Zero(n + q, n + q);
     matrix.topLeftCorner(n, n) = m_matrix();
     matrix.topRightCorner(n, q) = m_polynomials;
     matrix.bottomLeftCorner(q, n) = m_polynomials.transpose();
-    Eigen::VectorXd right = Eigen::VectorXd::Zero(n + q);
+    Column right = Column::Zero(n + q);
     right.head(n) = data;
-    const Eigen::PartialPivLU<Eigen::MatrixXd> lu(matrix);
-    const Eigen::VectorXd solution = lu.solve(right);
+    const Eigen::PartialPivLU<Dense_matrix> lu(matrix);
+    const Column solution = lu.solve(right);
     Interpolation_coefficients result;
     result.weights = solution.head(n);
     result.polynomial = solution.tail(q);
     const Eigen::ArrayXd pivots = lu.matrixLU().diagonal().array().abs();
     result.condition = pivots.maxCoeff() / pivots.minCoeff();
-    const Eigen::VectorXd residual = matrix * solution - right;
+    const Column residual = matrix * solution - right;
     result.relative_residual = solution.allFinite()
-                                   ? Interpolation_coefficients::relative(residual.lpNorm<Eigen::Infinity>(), data)
+                                   ? Interpolation_coefficients::relative(residual.template lpNorm<Eigen::Infinity>(), data)
                                    : std::numeric_limits<double>::infinity();
     return result;
   }
 
-  std::function<Eigen::MatrixXd()> m_matrix;
-  const Eigen::MatrixXd& m_polynomials;
-  const Polynomial_null_space& m_null_space;
+  std::function<Dense_matrix()> m_matrix;
+  const Dense_matrix& m_polynomials;
+  const Null_space& m_null_space;
 };
 
 } // namespace internal

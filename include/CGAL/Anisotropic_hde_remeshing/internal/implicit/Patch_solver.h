@@ -113,7 +113,7 @@ public:
         continue;
       const Polynomial_basis basis(normal);
       const Eigen::MatrixXd polynomials = basis.values(centres);
-      const Polynomial_null_space null_space(polynomials);
+      const Polynomial_null_space<Eigen::MatrixXd> null_space(polynomials);
       if (with_squares && null_space.independence() < least_independence)
         continue;
       const Interpolation_coefficients solution = solve(centres, polynomials, null_space, function, settings.smoothing, data);
@@ -132,7 +132,7 @@ public:
 
 private:
   Interpolation_coefficients solve(const Points& centres, const Eigen::MatrixXd& polynomials,
-                                   const Polynomial_null_space& null_space, const RadialFunction& function,
+                                   const Polynomial_null_space<Eigen::MatrixXd>& null_space, const RadialFunction& function,
                                    const double smoothing, const Eigen::VectorXd& data) const
   {
     if constexpr (Has_compact_support<RadialFunction>::value)
@@ -147,7 +147,7 @@ private:
       }
     }
     const auto matrix = [&] { return interpolation_matrix(centres, function, smoothing); };
-    Interpolation_coefficients result = Interpolation_system(matrix, polynomials, null_space).solve(data);
+    Interpolation_coefficients result = Interpolation_system<Eigen::MatrixXd>(matrix, polynomials, null_space).solve(data);
     result.weights *= RadialFunction::sign;
     return result;
   }

@@ -21,20 +21,24 @@ namespace internal {
 
 // The coordinates in which the side condition P^T alpha = 0 of the paper's (11) is trivial: P = Q (R; 0) with q columns,
 // Q = I - V T V^T the product of q Householder reflections in compact form. The coordinates of Q^T alpha beyond the first q
-// are free, the first q vanish. Matrices of dynamic size throughout: fixed ones would be compiled once more for each shape.
+// are free, the first q vanish. Matrices of dynamic size throughout: fixed ones would be compiled once more for each shape. A
+// template so that it is compiled only where a function is built.
+template <typename Dense_matrix>
 class Polynomial_null_space
 {
+  typedef Eigen::Matrix<typename Dense_matrix::Scalar, Eigen::Dynamic, 1> Column;
+
 public:
   // Householder's reflections of a few columns. Eigen's class for it works by blocks, which took a tenth of the time to compile
   // a program that uses the package.
-  explicit Polynomial_null_space(Eigen::MatrixXd polynomials)
-    : m_v(Eigen::MatrixXd::Zero(polynomials.rows(), polynomials.cols())),
-      m_t(Eigen::MatrixXd::Zero(polynomials.cols(), polynomials.cols())),
-      m_r(Eigen::MatrixXd::Zero(polynomials.cols(), polynomials.cols()))
+  explicit Polynomial_null_space(Dense_matrix polynomials)
+    : m_v(Dense_matrix::Zero(polynomials.rows(), polynomials.cols())),
+      m_t(Dense_matrix::Zero(polynomials.cols(), polynomials.cols())),
+      m_r(Dense_matrix::Zero(polynomials.cols(), polynomials.cols()))
   {
     for (Eigen::Index i = 0; i < m_t.cols(); ++i)
     {
-      Eigen::VectorXd v = polynomials.col(i);
+      Column v = polynomials.col(i);
       for (Eigen::Index j = 0; j < i; ++j)
         std::swap(m_r(j, i), v[j]);
       m_r(i, i) = v[i] > 0 ? -v.norm() : v.norm();
@@ -64,38 +68,38 @@ public:
   }
 
   // Q^T b
-  Eigen::VectorXd transformed(const Eigen::VectorXd& b) const
+  Column transformed(const Column& b) const
   {
-    const Eigen::VectorXd along = m_v.transpose() * b;
-    const Eigen::VectorXd weights = m_t.transpose() * along;
+    const Column along = m_v.transpose() * b;
+    const Column weights = m_t.transpose() * along;
     return b - m_v * weights;
   }
 
   // Q b
-  Eigen::VectorXd transformed_back(const Eigen::VectorXd& b) const
+  Column transformed_back(const Column& b) const
   {
-    const Eigen::VectorXd along = m_v.transpose() * b;
-    const Eigen::VectorXd weights = m_t * along;
+    const Column along = m_v.transpose() * b;
+    const Column weights = m_t * along;
     return b - m_v * weights;
   }
 
   // Replaces the symmetric A by Q^T A Q: with X = A V T and Y = X - V (T^T V^T X) / 2 it is A - V Y^T - Y V^T, one product
   // instead of a sweep over A a reflection and side.
-  void transform(Eigen::MatrixXd& matrix) const
+  void transform(Dense_matrix& matrix) const
   {
     const Eigen::Index q = number_of_polynomials();
-    const Eigen::MatrixXd vt = m_v * m_t;
-    Eigen::MatrixXd y = matrix * vt;
-    const Eigen::MatrixXd inner = 0.5 * vt.transpose() * y;
+    const Dense_matrix vt = m_v * m_t;
+    Dense_matrix y = matrix * vt;
+    const Dense_matrix inner = 0.5 * vt.transpose() * y;
     y -= m_v * inner;
-    Eigen::MatrixXd left(matrix.rows(), 2 * q), right(matrix.rows(), 2 * q);
+    Dense_matrix left(matrix.rows(), 2 * q), right(matrix.rows(), 2 * q);
     left << m_v, y;
     right << y, m_v;
     matrix.noalias() -= left * right.transpose();
   }
 
   // the x with R x = b
-  Eigen::VectorXd solve_triangle(Eigen::VectorXd b) const
+  Column solve_triangle(Column b) const
   {
     for (Eigen::Index i = b.size() - 1; i >= 0; --i)
     {
@@ -107,7 +111,7 @@ public:
   }
 
 private:
-  Eigen::MatrixXd m_v, m_t, m_r;
+  Dense_matrix m_v, m_t, m_r;
 };
 
 } // namespace internal
