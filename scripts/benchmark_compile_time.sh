@@ -18,7 +18,7 @@ source scripts/common.sh
 
 export CCACHE_DISABLE=1 TIMEFORMAT='%R s'
 for target in remesh_example read_and_write; do
-  build_benchmark "$target" > /dev/null
+  build_benchmark "$target" -DCGAL_AHR_WITH_SHARED_COMPILATION=OFF > /dev/null
   for run in 1 2 3; do
     find "$build_dir" -name "$target.cpp.o" -delete
     printf '%s, run %s: ' "$target" "$run"

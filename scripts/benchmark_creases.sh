@@ -8,9 +8,9 @@
 # Author(s)     : The Anisotropic_hde_remeshing developers
 
 # Remeshes CGAL's fandisk to 1,500 and 6,000 vertices, in several embeddings, with one smooth function and with one for each region
-# between its creases; CGAL's fandisk_large, anchor_dense and cheese, creases from 20 degrees on, and the meshes given, from 30 degrees
-# on, to all, half and twice as many vertices as they have; and CGAL's bunny, which has no sharp edges, with 60 degrees. Prints a line
-# of figures each: distances, normals, curves, corners, folds, intersections and time.
+# between its creases; CGAL's fandisk_large, anchor_dense and cheese, creases from 20 degrees on, and the meshes given, from 30
+# degrees on, to all, half and twice as many vertices as they have; and CGAL's bunny, which has no sharp edges, with 60 degrees.
+# Prints a line of figures each: distances, normals, curves, corners, folds, intersections and time.
 # Usage: scripts/benchmark_creases.sh [MESH...]
 # BUILD_DIR (default build/benchmark) and JOBS (default 2) may be set in the environment.
 

@@ -64,12 +64,12 @@ cgal_data_dir() {
   sed -n 's/^CGAL_AHR_DATA_DIR:INTERNAL=//p' "$1/CMakeCache.txt"
 }
 
-# build_benchmark NAME: sets build_dir, program, and data, the folder of CGAL's meshes
+# build_benchmark NAME [CMAKE_OPTION...]: sets build_dir, program, and data, the folder of CGAL's meshes
 build_benchmark() {
   build_dir=${BUILD_DIR:-build/benchmark}
   install_packages
   unpack_cgal_data "$build_dir"
-  cmake -Wno-dev -S . -B "$build_dir" -DCMAKE_BUILD_TYPE=Release -DCGAL_AHR_NATIVE=ON -DBUILD_TESTING=OFF
+  cmake -Wno-dev -S . -B "$build_dir" -DCMAKE_BUILD_TYPE=Release -DCGAL_AHR_NATIVE=ON -DBUILD_TESTING=OFF "${@:2}"
   cmake --build "$build_dir" --target "$1" -j "${JOBS:-2}"
   program=$(find "$build_dir" -name "$1" -type f -perm -u+x)
   data=$(cgal_data_dir "$build_dir")/meshes
