@@ -24,6 +24,8 @@ if(CGAL_AHR_WITH_SHARED_COMPILATION)
     <CGAL/hilbert_sort.h>
     <Eigen/Dense>
     <Eigen/Sparse>
+    <boost/geometry/algorithms/covered_by.hpp>
+    <boost/geometry/algorithms/intersects.hpp>
     <boost/geometry/geometries/box.hpp>
     <boost/geometry/geometries/point.hpp>
     <boost/geometry/index/rtree.hpp>)

@@ -14,6 +14,8 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Jet.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Indexed_triangle.h>
 
+#include <boost/geometry/algorithms/covered_by.hpp>
+#include <boost/geometry/algorithms/intersects.hpp>
 #include <boost/geometry/geometries/box.hpp>
 #include <boost/geometry/geometries/point.hpp>
 #include <boost/geometry/index/rtree.hpp>
