@@ -150,12 +150,12 @@ void print(const std::string& name, const Mesh& input, const Run& run)
   std::cout << std::setw(12) << name << std::setw(8) << run.mesh.number_of_vertices() << " v  rms " << std::scientific
             << std::setprecision(2) << distance.rms() / diagonal << "  max " << distance.max() / diagonal << "  zero set "
             << run.zero_set / diagonal << "  normals " << std::fixed << normal_deviation_from(input, run.mesh) << "  regions "
-            << run.result.number_of_regions << "  curves " << run.result.curves_before.number_of_curves << "  length "
-            << run.result.curves_after.length / run.result.curves_before.length;
+            << run.result.number_of_regions << "  curves " << run.result.curves_before.number_of_curves;
   if (!run.creases_before.empty())
-    std::cout << "  corners " << run.corners.size() << ", lost " << creases::number_of_missing_points(run.corners, run.mesh)
-              << "  creases " << std::scientific << creases::largest_distance(run.creases_after, run.creases_before) / diagonal
-              << " " << creases::largest_distance(run.creases_before, run.creases_after) / diagonal << std::fixed;
+    std::cout << "  length " << run.result.curves_after.length / run.result.curves_before.length << "  corners "
+              << run.corners.size() << ", lost " << creases::number_of_missing_points(run.corners, run.mesh) << "  creases "
+              << std::scientific << creases::largest_distance(run.creases_after, run.creases_before) / diagonal << " "
+              << creases::largest_distance(run.creases_before, run.creases_after) / diagonal << std::fixed;
   std::cout << "  folds " << Hde::measure_shape(input).number_of_folded_edges << " "
             << Hde::measure_shape(run.mesh).number_of_folded_edges << "  intersections " << number_of_self_intersections(input)
             << " " << number_of_self_intersections(run.mesh) << "  " << run.seconds << " s" << std::endl;

@@ -60,8 +60,8 @@ struct Interpolation_coefficients
 // Solves the paper's system (11), (A + lambda I, P; P^T, 0) (alpha, beta) = (f, 0), for one patch. lambda, the smoothing, is 0
 // for interpolation. The interpolation matrix A of a conditionally positive definite function is definite on the null space of
 // P^T: with P = Q (R; 0) and Z the columns of Q beyond those of R, alpha = Z u and (Z^T A Z + lambda I) u = Z^T f, which
-// Cholesky solves in half of the time of LU. A template of the matrix, not of the kernel: compiled once for all kernels, and not at all
-// where no function is built.
+// Cholesky solves in half of the time of LU. A template of the matrix, not of the kernel: compiled once for all kernels, and
+// not at all where no function is built.
 template <typename Dense_matrix>
 class Interpolation_system
 {

@@ -34,8 +34,8 @@ struct Region_plane
   Value_and_gradient operator()(const Vector& p) const { return Value_and_gradient{{normal.dot(p - point)}, normal}; }
 };
 
-// The plane that fits the points best, to all digits. Axes are planes' normals often: where the points are equal in a coordinate, so
-// is the plane.
+// The plane that fits the points best, to all digits. Axes are planes' normals often: where the points are equal in a
+// coordinate, so is the plane.
 inline Region_plane best_plane(const std::vector<Vector>& points, const double size)
 {
   Vector low = points.front(), high = low, sum = Vector::Zero();
@@ -61,9 +61,9 @@ inline Region_plane best_plane(const std::vector<Vector>& points, const double s
     covariance += ((p - plane.point) / size) * ((p - plane.point) / size).transpose();
   const Eigen::SelfAdjointEigenSolver<Matrix> axes(covariance);
   plane.normal = axes.eigenvectors().col(0);
-  // The squares of a covariance lose digits where a region is much longer than wide. What the normal is off by, towards each of the
-  // axes in the plane, follows from the heights themselves. (A singular value decomposition loses none, but Eigen's takes a tenth of
-  // the time to compile a program with this package.)
+  // The squares of a covariance lose digits where a region is much longer than wide. What the normal is off by, towards each of
+  // the axes in the plane, follows from the heights themselves. (A singular value decomposition loses none, but Eigen's takes a
+  // tenth of the time to compile a program with this package.)
   for (const Eigen::Index axis : {1, 2})
   {
     const Vector along = axes.eigenvectors().col(axis);

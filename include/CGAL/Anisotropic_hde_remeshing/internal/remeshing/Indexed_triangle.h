@@ -41,8 +41,8 @@ struct Indexed_triangle
 };
 
 // Whether two triangles have more in common than the vertices and the edge that they share. Most pairs are told apart in
-// doubles, where these leave no doubt, the others exactly, by `Kernel`. Triangles without area do not intersect others: only the input
-// has them. Exact predicates take long to compile: a template, so that programs that do not ask for them do without.
+// doubles, where these leave no doubt, the others exactly, by `Kernel`. Triangles without area do not intersect others: only
+// the input has them. Exact predicates take long to compile: a template, so that programs that do not ask for them do without.
 template <typename Kernel>
 class Triangle_pair
 {

@@ -39,8 +39,8 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// The second of the paper's two steps, on the copy of the mesh; `diagonal` in the unit of the caller, `unit` that of the copy. No type
-// of the caller's but the embedding's is one of this template's: what calls have in common is compiled once.
+// The second of the paper's two steps, on the copy of the mesh; `diagonal` in the unit of the caller, `unit` that of the copy.
+// No type of the caller's but the embedding's is one of this template's: what calls have in common is compiled once.
 template <typename ConcurrencyTag, typename Embedding, typename Intersections>
 void remesh(Working_mesh<typename Embedding::Vertex_data>& mesh, const Embedding& embedding, const Surface_function& function,
             const Input_surface& input, Intersections& intersections, const double diagonal, const double unit,
