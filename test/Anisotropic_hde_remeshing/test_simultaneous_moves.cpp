@@ -6,7 +6,8 @@
 //
 // Author(s)     : The Anisotropic_hde_remeshing developers
 
-// Vertices that all move at once: moves that fold a face are taken back, with those that this folds in turn, and no others.
+// Vertices that all move at once: moves that fold a face, or make an edge bad, are taken back, with those to which this does the same
+// in turn, and no others.
 
 #include "check.h"
 
@@ -106,11 +107,44 @@ void test_moves()
   }
 }
 
+// along a row, whose edges must not become longer than 1.5
+template <typename ConcurrencyTag>
+void test_edges()
+{
+  const int n = 8;
+  Working_mesh mesh;
+  const std::vector<Vertex_index> vertices = make_grid(n, mesh);
+  const auto at = [&](const int x) { return vertices[std::size_t(3 * (n + 1) + x)]; };
+  internal::Interruption never;
+
+  // The first two move apart, each no further than it may while the other is at rest; the third may only follow the second. The
+  // last one does no harm.
+  internal::Simultaneous_moves<Working_mesh> moves(mesh);
+  moves.propose<ConcurrencyTag>([&](const Vertex_index v) { return v == at(2) || v == at(3) || v == at(4) || v == at(6); },
+                                [&](const Vertex_index v, Vertex& state, Working_mesh::Sides&)
+                                {
+                                  state.point[0] += v == at(2) ? -0.4 : v == at(4) ? 0.8 : 0.4;
+                                  return true;
+                                },
+                                never);
+  moves.revert_edges<ConcurrencyTag>(
+      [&](const internal::Edge_index e)
+      {
+        const Vector &p = moves.state(mesh.vertex(e, 0)).point, &q = moves.state(mesh.vertex(e, 1)).point;
+        return p[1] == 3 && q[1] == 3 && (p - q).norm() > 1.5;
+      },
+      never);
+  CHECK(!moves.is_moved(at(2)) && !moves.is_moved(at(3)) && !moves.is_moved(at(4)));
+  CHECK(moves.is_moved(at(6)));
+}
+
 int main()
 {
   test_moves<CGAL::Sequential_tag>();
+  test_edges<CGAL::Sequential_tag>();
 #ifdef CGAL_LINKED_WITH_TBB
   test_moves<CGAL::Parallel_tag>();
+  test_edges<CGAL::Parallel_tag>();
 #endif
   return check_summary();
 }

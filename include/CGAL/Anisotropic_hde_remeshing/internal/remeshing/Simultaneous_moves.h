@@ -112,6 +112,34 @@ public:
     return result;
   }
 
+  // Takes back the moves of both ends of the edges for which `is_bad(edge)`, until no such edge has an end that moves: each round
+  // takes back at least one move. That may fold faces: ask for folds afterwards.
+  template <typename ConcurrencyTag, typename IsBad>
+  void revert_edges(const IsBad& is_bad, Interruption& interruption)
+  {
+    std::vector<char> is_reverted(edge_capacity(m_mesh));
+    for (bool is_any_reverted = true; is_any_reverted && !interruption.is_requested();)
+    {
+      parallel_for<ConcurrencyTag>(
+          is_reverted.size(),
+          [&](const std::size_t i)
+          {
+            const Edge_index e(static_cast<Edge_index::size_type>(i));
+            is_reverted[i] =
+                !m_mesh.is_removed(e) && (is_moved(m_mesh.vertex(e, 0)) || is_moved(m_mesh.vertex(e, 1))) && is_bad(e);
+          },
+          256, interruption);
+      is_any_reverted = false;
+      for (std::size_t i = 0; i < is_reverted.size(); ++i)
+        if (is_reverted[i])
+        {
+          const Edge_index e(static_cast<Edge_index::size_type>(i));
+          m_is_moved[m_mesh.vertex(e, 0)] = m_is_moved[m_mesh.vertex(e, 1)] = 0;
+          is_any_reverted = true;
+        }
+    }
+  }
+
   // changes the mesh
   template <typename ConcurrencyTag>
   void accept(Mesh& mesh) const

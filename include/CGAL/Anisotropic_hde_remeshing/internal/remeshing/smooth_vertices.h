@@ -82,6 +82,9 @@ public:
         [&](const Vertex_index v, Vertex& state, typename Mesh::Sides& sides)
         { return state.is_on_curve ? slide(v, state, sides, shifts[v]) : move(v, state, kind); },
         m_interruption);
+    if (m_curves.bounds_deviation())
+      m_moves.template revert_edges<ConcurrencyTag>(
+          [&](const Edge_index e) { return m_mesh.is_on_curve(e) && !m_curves.accepts(moved_arc(e, shifts)); }, m_interruption);
     m_guard.template revert<ConcurrencyTag>(m_moves, m_interruption);
     if (m_interruption.ask())
       return; // not all have been moved, or looked at
@@ -129,6 +132,17 @@ private:
                                                                       m_embedding.squared_length(t.c, t.a)));
     }
     return largest;
+  }
+
+  // of an edge on a curve, with both ends where they will be: each was tested while the other was at rest
+  Curve_arc moved_arc(const Edge_index e, const std::vector<double>& shifts) const
+  {
+    const Halfedge_index h = m_mesh.halfedge(e);
+    const Vertex_index u = m_mesh.source(h), v = m_mesh.target(h);
+    Curve_arc arc = m_mesh.arc(h);
+    arc.source += m_moves.is_moved(u) ? shifts[u] : 0;
+    arc.target += m_moves.is_moved(v) ? shifts[v] : 0;
+    return arc;
   }
 
   void shift_arcs(const Vertex_index v, const double shift) const
