@@ -24,11 +24,18 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <chrono>
 #include <cmath>
+#include <cstddef>
+#include <functional>
 #include <iostream>
 #include <limits>
 #include <random>
 #include <stdexcept>
+#include <string>
+#include <thread>
+#include <utility>
 
 using namespace shapes;
 
@@ -245,10 +252,10 @@ void test_units()
   const Hde::Curvature_metric metric(infinity);
   Mesh mesh = input;
   const double length = 0.3;
-  const Hde::Remeshing_result result =
-      CGAL::anisotropic_hde_remeshing(mesh, Ellipsoid_function(), parameters::embedding(metric).target_edge_length(length));
-  CGAL::anisotropic_hde_remeshing(large, Large_ellipsoid(),
-                                  parameters::embedding(metric).target_edge_length(length * metric.unit_of_lengths(unit)));
+  const Hde::Remeshing_result result = CGAL::anisotropic_hde_remeshing<Tag>(
+      mesh, Ellipsoid_function(), parameters::embedding(metric).target_edge_length(length));
+  CGAL::anisotropic_hde_remeshing<Tag>(large, Large_ellipsoid(),
+                                       parameters::embedding(metric).target_edge_length(length * metric.unit_of_lengths(unit)));
   CHECK(result.binding_target == Hde::Target::EDGE_LENGTH);
   CHECK_CLOSE(result.target_edge_length, length, 1e-12);
   CHECK(mesh.number_of_faces() == large.number_of_faces());
@@ -259,16 +266,20 @@ void test_units()
   CHECK(largest < 1e-9 * unit);
 }
 
-// a steep front, tanh(30 z)
-struct Front
+// one type for all fields, as each is compiled with the whole remesher
+typedef std::function<double(const Point_3&)> Field;
+
+Hde::Scalar_field_embedding<Point_3, Field> embedding_of(const double sigma, const double tau, const Field& field)
 {
-  double operator()(const Point_3& p) const { return std::tanh(30 * p.z()); }
-};
+  return Hde::scalar_field_embedding<Point_3>(sigma, tau, field);
+}
+
+// a steep front
+double front(const Point_3& p) { return std::tanh(30 * p.z()); }
 
 // root mean square over the surface of the difference between the front and its interpolation on the faces
 double interpolation_error(const Mesh& mesh)
 {
-  const Front front;
   static constexpr int n = 6;
   double sum = 0, area = 0;
   for (const Mesh::Face_index f : mesh.faces())
@@ -296,8 +307,8 @@ void test_fields()
 
   // a front takes a fifth of the faces of a uniform mesh of the same error
   Mesh adapted = input, uniform = input;
-  CGAL::anisotropic_hde_remeshing<Tag>(
-      adapted, sphere, parameters::embedding(Hde::scalar_field_embedding<Point_3>(0, 1, Front())).number_of_target_faces(4000));
+  CGAL::anisotropic_hde_remeshing<Tag>(adapted, sphere,
+                                       parameters::embedding(embedding_of(0, 1, front)).number_of_target_faces(4000));
   CGAL::anisotropic_hde_remeshing<Tag>(uniform, sphere, parameters::sigma(0).number_of_target_faces(20000));
   const double of_adapted = interpolation_error(adapted), of_uniform = interpolation_error(uniform);
   std::cout << "front: error with 4000 faces " << of_adapted << ", uniform with 20000 " << of_uniform << std::endl;
@@ -306,32 +317,30 @@ void test_fields()
 
   // what does not vary changes nothing; a vector counts as its components
   Mesh plain = input, constant = input, vector = input, weighted = input;
-  CGAL::anisotropic_hde_remeshing(plain, sphere, parameters::sigma(0.1).number_of_target_faces(2000));
-  CGAL::anisotropic_hde_remeshing(
+  CGAL::anisotropic_hde_remeshing<Tag>(plain, sphere, parameters::sigma(0.1).number_of_target_faces(2000));
+  CGAL::anisotropic_hde_remeshing<Tag>(
       constant, sphere,
-      parameters::embedding(Hde::scalar_field_embedding<Point_3>(0.1, 5, [](const Point_3&) { return 7.; }))
-          .number_of_target_faces(2000));
+      parameters::embedding(embedding_of(0.1, 5, [](const Point_3&) { return 7.; })).number_of_target_faces(2000));
   CHECK_CLOSE(double(plain.number_of_faces()), double(constant.number_of_faces()), 10);
   CHECK_CLOSE(Hde::measure_embedding(plain, sphere, parameters::sigma(0.1)).edge_length_mean,
               Hde::measure_embedding(constant, sphere, parameters::sigma(0.1)).edge_length_mean, 1e-3);
   const auto two = [](const Point_3& p) { return std::array<double, 2>{{0.5 * p.x(), 0.5 * p.x()}}; };
   const auto one = [](const Point_3& p) { return std::sqrt(0.5) * p.x(); };
-  CGAL::anisotropic_hde_remeshing(
+  CGAL::anisotropic_hde_remeshing<Tag>(
       vector, sphere, parameters::embedding(Hde::scalar_field_embedding<Point_3>(0.1, 2, two)).number_of_target_faces(2000));
-  CGAL::anisotropic_hde_remeshing(
-      weighted, sphere, parameters::embedding(Hde::scalar_field_embedding<Point_3>(0.1, 2, one)).number_of_target_faces(2000));
+  CGAL::anisotropic_hde_remeshing<Tag>(weighted, sphere,
+                                       parameters::embedding(embedding_of(0.1, 2, one)).number_of_target_faces(2000));
   CHECK_CLOSE(double(vector.number_of_faces()), double(weighted.number_of_faces()), 20);
   CHECK_CLOSE(CGAL::bounding_box(vector.points().begin(), vector.points().end()).xmax(), 1, 0.05);
 
   // a field that is not finite: the exception reaches the caller, and the mesh is as it was
   Mesh refused = input;
   const auto bad = [](const Point_3& p) { return p.z() > 0.9 ? std::nan("") : 0.; };
-  CHECK_THROWS(CGAL::anisotropic_hde_remeshing<Tag>(refused, sphere,
-                                                    parameters::embedding(Hde::scalar_field_embedding<Point_3>(0, 1, bad))),
+  CHECK_THROWS(CGAL::anisotropic_hde_remeshing<Tag>(refused, sphere, parameters::embedding(embedding_of(0, 1, bad))),
                std::domain_error);
   CHECK(remeshing_checks::digest(refused) == remeshing_checks::digest(input));
-  CHECK_THROWS(Hde::scalar_field_embedding<Point_3>(0, -1, Front()), std::invalid_argument);
-  CHECK_THROWS(Hde::scalar_field_embedding<Point_3>(infinity, 1, Front()), std::invalid_argument);
+  CHECK_THROWS(embedding_of(0, -1, front), std::invalid_argument);
+  CHECK_THROWS(embedding_of(infinity, 1, front), std::invalid_argument);
 
   // numbers at vertices, linear on faces
   Mesh mesh = input;
@@ -349,6 +358,72 @@ void test_fields()
   CHECK_THROWS(Hde::Interpolated_vertex_field(Mesh(), values), std::invalid_argument);
 }
 
+// Stops once the field has been asked for a vertex so often since the last iteration, wherever the remeshing is by then: that
+// takes so long that the visitor is asked next.
+struct Stopping_visitor : Hde::Remeshing_visitor
+{
+  struct State
+  {
+    std::atomic<bool> is_last{false}, is_stopped{false};
+    std::atomic<std::size_t> number_of_values{0}; // since then
+    std::size_t limit;
+  };
+  State* state;
+
+  void progress(const double share)
+  {
+    if (share >= 1)
+      state->is_last = true;
+  }
+  bool go_further() { return !state->is_stopped; }
+
+  static Field field(State& state)
+  {
+    return [&state](const Point_3&)
+    {
+      if (state.is_last && ++state.number_of_values == state.limit)
+      {
+        std::this_thread::sleep_for(std::chrono::milliseconds(8));
+        state.is_stopped = true;
+      }
+      return 0.;
+    };
+  }
+};
+
+// Vertices that are new when it is stopped are on the surface, too: of one iteration so many edges are left to be split for the error
+// that it is nearly all that happens after the last projection of all vertices.
+void test_stopping_while_refining()
+{
+  const Mesh input = ellipsoid(3);
+  const auto remesh = [&](const std::size_t limit)
+  {
+    Stopping_visitor::State state;
+    state.limit = limit;
+    Stopping_visitor visitor;
+    visitor.state = &state;
+    Mesh mesh = input;
+    const Hde::Remeshing_result result =
+        CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(),
+                                             parameters::embedding(embedding_of(0.5, 1, Stopping_visitor::field(state)))
+                                                 .relative_approximation_error(5e-4)
+                                                 .number_of_iterations(1)
+                                                 .visitor(visitor));
+    remeshing_checks::check_validity("stopped at value " + std::to_string(limit), input, mesh, Ellipsoid_function());
+    CHECK(result.was_stopped == state.is_stopped);
+    CHECK(std::isinf(result.approximation_error) == result.was_stopped);
+    CHECK(result.number_of_unprojected_vertices == 0);
+    return std::make_pair(mesh.number_of_vertices(), std::size_t(state.number_of_values));
+  };
+  const auto all = remesh(0), before = remesh(1);
+  std::cout << "values of " << all.first << " vertices since the last iteration: " << all.second << ", before the refinement "
+            << before.first << " vertices" << std::endl;
+  CHECK(all.first > before.first + 500);
+  const std::size_t first = before.first + 1, steps = 12;
+  for (std::size_t k = 0; k < steps; ++k)
+    remesh(first + k * (all.second - first) / steps);
+}
+
 int main()
 {
   test_metric_of_curvature();
@@ -357,5 +432,6 @@ int main()
   test_remeshing_with_metrics();
   test_units();
   test_fields();
+  test_stopping_while_refining();
   return check_summary();
 }

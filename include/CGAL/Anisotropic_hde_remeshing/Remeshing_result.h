@@ -56,7 +56,7 @@ struct Remeshing_result
   Target binding_target = Target::NUMBER_OF_FACES; ///< which of the targets given was reached first
   /// the bound that was found on the distance between the faces, but those at boundary and constrained curves, and the surface, in
   /// the unit of the mesh, if an error was asked for: at most that, unless the number of faces was reached first; infinite where
-  /// the function does not lead to a surface
+  /// the function does not lead to a surface, and if the visitor stopped it
   double approximation_error = 0;
   unsigned int number_of_iterations = 0; ///< the iterations done
   std::size_t number_of_splits = 0;

@@ -137,11 +137,14 @@ public:
       report(1);
     }
     m_result.target_edge_length = target.length();
-    m_projector.project_exactly(m_interruption);
-    if (m_interruption.is_requested()) // most of the vertices are exact already, and the caller waits
+    if (!m_projector.project_exactly(m_interruption)) // most of the vertices are exact already, and the caller waits
     {
       Interruption never;
       m_projector.project_exactly([&](const Vertex_index v) { return !m_projection.is_exact(m_mesh.point(v)); }, never);
+    }
+    if (m_interruption.is_requested())
+    {
+      m_result.approximation_error = m_parameters.error > 0 ? (std::numeric_limits<double>::infinity)() : 0;
       return;
     }
     if (n > 0)
@@ -215,7 +218,12 @@ private:
       is_old[v] = 1;
     m_operations.split(edges);
     m_operations.flip(Flip_criterion::ANGLE);
-    m_projector.project_exactly([&](const Vertex_index v) { return !is_old[v]; }, m_interruption);
+    const auto is_new = [&](const Vertex_index v) { return !is_old[v]; };
+    if (!m_projector.project_exactly(is_new, m_interruption)) // the caller waits, but they are on the surface roughly only
+    {
+      Interruption never;
+      m_projector.project_exactly(is_new, never);
+    }
   }
 
   // of each face the longest in the embedding, the next if it could not be split; each once, in the order of the mesh

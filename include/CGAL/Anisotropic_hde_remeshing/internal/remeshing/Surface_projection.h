@@ -64,9 +64,9 @@ public:
   const Input_surface& input() const { return m_input; }
   double unit() const { return m_unit; }
 
-  // whether `project()` would hardly move the point: from a last step of 1e-5 of the diagonal, ten thousand times the distance
-  // that counts as exact, Newton's method leaves its square times a curvature, 1e-9 where that is ten over the diagonal
-  bool is_exact(const Vertex_state& state) const { return state.last_step <= 1e4 * m_exact_distance; }
+  // whether `project()` would hardly move the point: from a last step of 1e-6 of the diagonal, a thousand times the distance
+  // that counts as exact, Newton's method leaves its square times half a curvature, 1e-9 where that is 2000 over the diagonal
+  bool is_exact(const Vertex_state& state) const { return state.last_step <= 1e3 * m_exact_distance; }
 
   // whether the point is as near to the zero set as exact projections get, to first order
   bool is_on_surface(const Vertex_state& state, const Region region) const

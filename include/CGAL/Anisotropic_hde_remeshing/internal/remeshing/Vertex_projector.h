@@ -64,22 +64,23 @@ public:
   }
 
   // All vertices in the end; one whose last way, from a rough projection to the exact one, would fold a face or make it
-  // intersect another one, if that counts, stays where it is.
+  // intersect another one, if that counts, stays where it is. Returns whether it was done: not if it was interrupted.
   template <typename IsChosen>
-  void project_exactly(const IsChosen& is_chosen, Interruption& interruption)
+  bool project_exactly(const IsChosen& is_chosen, Interruption& interruption)
   {
     Moves moves = exact_projections(is_chosen, interruption);
     m_guard.template revert<ConcurrencyTag>(moves, interruption);
     if (interruption.is_requested())
-      return; // not all have been projected, or looked at
+      return false; // not all have been projected, or looked at
     moves.template accept<ConcurrencyTag>(m_mesh);
     for (const Vertex_index v : m_mesh.vertices())
       if (is_chosen(v) && !moves.is_moved(v) && !m_mesh.point(v).is_on_curve && !m_mesh.point(v).is_fixed &&
           !m_projection.is_on_surface(m_mesh.point(v), region(v)))
         ++m_result.number_of_unprojected_vertices;
+    return true;
   }
 
-  void project_exactly(Interruption& interruption) { project_exactly(all, interruption); }
+  bool project_exactly(Interruption& interruption) { return project_exactly(all, interruption); }
 
   // off the surface again, by least squares
   void fit(Interruption& interruption)
