@@ -118,7 +118,8 @@ themselves, at the larger of the 6D lengths on both sides; no other operation cr
 move, stay on the polyline of the input, or where it goes along an arc, evenly and in steps of less than 6 degrees, and the zero
 sets of both regions meet at more than 15 degrees, are put where these meet, within twice the height of that arc over the
 polyline and 5e-4 of the diagonal of the bounding box. Corners, which are the ends, branchings and turns mentioned above, do not move. If there are creases, no edge comes to
-stand for a part of a curve that is anywhere further from it than 5e-5 of the diagonal of the bounding box.
+stand for a part of a curve that is anywhere further than 5e-5 of the diagonal of the bounding box from the straight way between
+the ends of that part.
 
 For any orientable manifold triangle mesh, any finite parameters and any number of threads, the call ends, and the result is valid,
 manifold and consistently oriented, with the components, boundary loops and Euler characteristic of the input. No face is folded:
