@@ -16,6 +16,10 @@
 #include <CGAL/Anisotropic_hde_remeshing/zero_set_measures.h>
 #include <CGAL/anisotropic_hde_remeshing.h>
 
+#ifdef CGAL_LINKED_WITH_TBB
+#  include <tbb/global_control.h>
+#endif
+
 #include <algorithm>
 #include <cmath>
 #include <iostream>
@@ -41,7 +45,11 @@ void test_bounds()
   CHECK_CLOSE(bounds.rms_off_surface, 0.0745356 * area / n, 0.01 * bounds.rms_off_surface);
   CHECK_CLOSE(bounds.max_on_surface, 0.3849 * area / n, 0.01 * bounds.max_on_surface);
   CHECK_CLOSE(bounds.max_off_surface, 0.5 * bounds.max_on_surface, 1e-12);
-  CHECK_CLOSE(bounds.for_number_of_faces(10).max_on_surface, 0.3849 * area / 10, 0.01 * area);
+  const Hde::Approximation_bounds of_ten = bounds.for_number_of_faces(10);
+  CHECK(of_ten.number_of_faces == 10);
+  CHECK_CLOSE(of_ten.max_on_surface, 0.3849 * area / 10, 0.01 * of_ten.max_on_surface);
+  CHECK_CLOSE(of_ten.rms_on_surface, 0.298142 * area / 10, 0.01 * of_ten.rms_on_surface);
+  CHECK_CLOSE(of_ten.rms_off_surface, 0.0745356 * area / 10, 0.01 * of_ten.rms_off_surface);
   // a mesh of nearly equilateral triangles comes near it, never below
   const double rms = Hde::measure_distance_to_zero_set(sphere, Sphere_function()).face_rms;
   CHECK(rms > 0.999 * bounds.rms_on_surface && rms < 1.1 * bounds.rms_on_surface);
@@ -95,7 +103,12 @@ void test_error(const std::string& name, const Mesh& input, const Function& func
 
   // the same by one thread, and in the unit of the mesh
   Mesh same = input, absolute = input;
-  CGAL::anisotropic_hde_remeshing(same, function, parameters::relative_approximation_error(relative_error));
+  {
+#ifdef CGAL_LINKED_WITH_TBB
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, 1);
+#endif
+    CGAL::anisotropic_hde_remeshing<Tag>(same, function, parameters::relative_approximation_error(relative_error));
+  }
   CHECK(remeshing_checks::digest(mesh) == remeshing_checks::digest(same));
   CHECK(CGAL::anisotropic_hde_remeshing<Tag>(absolute, function, parameters::approximation_error(error)).approximation_error <=
         error * (1 + 1e-12));
@@ -134,10 +147,11 @@ void test_errors()
   for (const double bad : {0., -1., std::nan(""), std::numeric_limits<double>::infinity()})
   {
     Mesh mesh = ellipsoid(2);
-    CHECK_THROWS(CGAL::anisotropic_hde_remeshing(mesh, Ellipsoid_function(), parameters::approximation_error(bad)),
+    CHECK_THROWS(CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(), parameters::approximation_error(bad)),
                  std::invalid_argument);
-    CHECK_THROWS(CGAL::anisotropic_hde_remeshing(mesh, Ellipsoid_function(), parameters::relative_approximation_error(bad)),
-                 std::invalid_argument);
+    CHECK_THROWS(
+        CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(), parameters::relative_approximation_error(bad)),
+        std::invalid_argument);
   }
 }
 

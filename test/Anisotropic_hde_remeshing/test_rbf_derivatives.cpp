@@ -356,11 +356,8 @@ void test_seams()
 void test_seams_of_fallback()
 {
   Mesh mesh;
-  if (!CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(CGAL::data_file_path("meshes/anchor.off"), mesh))
-  {
-    std::cout << "CGAL's mesh anchor.off is not there" << std::endl;
+  if (!CHECK(CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(CGAL::data_file_path("meshes/anchor.off"), mesh)))
     return;
-  }
   const Bare_interpolant<CGAL::Polyharmonic_rbf> bare(mesh, 40);
   const std::size_t on_fallback = bare.interpolant->diagnostics().patches_on_fallback;
   std::cout << "anchor: " << on_fallback << " of " << bare.interpolant->diagnostics().number_of_patches

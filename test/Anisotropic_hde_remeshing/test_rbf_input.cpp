@@ -503,11 +503,8 @@ void test_self_check()
   {
     Mesh mesh;
     const std::string file = CGAL::data_file_path(std::string("meshes/") + expected.name + ".off");
-    if (!CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(file, mesh))
-    {
-      std::cout << "CGAL's mesh " << expected.name << " is not there" << std::endl;
+    if (!CHECK(CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(file, mesh)))
       continue;
-    }
     const Function f(mesh);
     const auto& diagnostics = f.diagnostics();
     std::cout << expected.name << ": of " << diagnostics.number_of_patches << " patches on fallback "

@@ -210,18 +210,18 @@ void test_noise()
 // the result is that of the shape in another unit and place
 void test_scale()
 {
-  for (const double scale : {1e-9, 1e9})
-  {
-    Mesh mesh = l_block(3);
-    for (const Mesh::Vertex_index v : mesh.vertices())
-      mesh.point(v) = Point_3(7, 8, 9) + scale * (mesh.point(v) - CGAL::ORIGIN);
-    if (scale > 1)
-      CHECK(detect(mesh, sharp_angle(45)).counts.number_of_regions == 8);
-    for (const Mesh::Vertex_index v : mesh.vertices())
-      mesh.point(v) = CGAL::ORIGIN + scale * (mesh.point(v) - Point_3(7, 8, 9));
-    if (scale > 1)
-      CHECK(detect(mesh, sharp_angle(45)).counts.number_of_regions == 8);
-  }
+  const Found expected = detect(l_block(3), sharp_angle(45));
+  CHECK(expected.counts.number_of_regions == 8);
+  for (const double scale : {1e-30, 1e-9, 1e9, 1e30})
+    for (const double shift : {0., 7.}) // over the unit
+    {
+      Mesh mesh = l_block(3);
+      for (const Mesh::Vertex_index v : mesh.vertices())
+        mesh.point(v) = CGAL::ORIGIN + scale * (Vector_3(1, -2, 3) * shift + (mesh.point(v) - CGAL::ORIGIN));
+      const Found found = detect(mesh, sharp_angle(45));
+      CHECK(found.is_crease == expected.is_crease);
+      CHECK(found.regions == expected.regions);
+    }
 }
 
 // faces without an area are parts of their neighbours: on a plane, and along a sharp edge
@@ -293,11 +293,8 @@ void test_machine_parts()
   {
     Mesh mesh;
     const std::string file = CGAL::data_file_path(std::string("meshes/") + expected.name + ".off");
-    if (!CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(file, mesh))
-    {
-      std::cout << "CGAL's mesh " << expected.name << " is not there" << std::endl;
+    if (!CHECK(CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(file, mesh)))
       continue;
-    }
     const Surface_regions counts = detect(mesh, sharp_angle(expected.angle)).counts;
     std::cout << expected.name << ": " << counts.number_of_regions << " regions, " << counts.number_of_crease_edges
               << " edges, dropped " << counts.number_of_dropped_edges << std::endl;
