@@ -37,7 +37,8 @@ void test_alignment()
   CHECK(Hde::measure_alignment(ellipsoid(3), Sphere_function()).number_of_faces == 0);
   // the remeshed ellipsoid follows its curvature
   Mesh mesh = ellipsoid(4);
-  CGAL::anisotropic_hde_remeshing(mesh, Ellipsoid_function(), CGAL::parameters::relative_sigma(0.15));
+  CGAL::anisotropic_hde_remeshing<CGAL::Parallel_if_available_tag>(mesh, Ellipsoid_function(),
+                                                                   CGAL::parameters::relative_sigma(0.15));
   const Hde::Alignment_measures remeshed = Hde::measure_alignment(mesh, Ellipsoid_function());
   std::cout << "remeshed: " << remeshed.number_of_faces << " faces, " << remeshed.angle_mean << " degrees" << std::endl;
   CHECK(remeshed.number_of_faces > 1000);

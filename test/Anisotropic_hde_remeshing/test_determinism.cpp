@@ -61,7 +61,7 @@ void test_threads(const std::string& name, const Mesh& input, const double sigma
   CHECK(digest_of_rbf_remeshing<CGAL::Sequential_tag>(input, sigma, number_of_faces, function_values) == expected);
   CHECK(function_values == expected_values);
 #ifdef CGAL_LINKED_WITH_TBB
-  for (const std::size_t number_of_threads : {1, 2, 4, 8})
+  for (const std::size_t number_of_threads : {1, 3, 8})
   {
     const tbb::global_control control(tbb::global_control::max_allowed_parallelism, number_of_threads);
     CHECK(digest_of_rbf_remeshing<CGAL::Parallel_tag>(input, sigma, number_of_faces, function_values) == expected);
@@ -103,7 +103,7 @@ void test_constraints(const Mesh& input)
   CHECK(expected != digest(input));
   CHECK(digest_with_constraints<CGAL::Sequential_tag>(input) == expected);
 #ifdef CGAL_LINKED_WITH_TBB
-  for (const std::size_t number_of_threads : {1, 2, 4, 8})
+  for (const std::size_t number_of_threads : {1, 3, 8})
   {
     const tbb::global_control control(tbb::global_control::max_allowed_parallelism, number_of_threads);
     CHECK(digest_with_constraints<CGAL::Parallel_tag>(input) == expected);

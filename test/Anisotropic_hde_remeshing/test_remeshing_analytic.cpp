@@ -73,9 +73,11 @@ void test_sigma()
 
 void test_large_sigma()
 {
-  for (const double sigma : {0., 0.02, 0.05, 0.1, 0.2, 0.5, 1.})
-    for (const std::size_t number_of_faces : {4000, 40000})
+  for (const std::size_t number_of_faces : {4000, 40000})
+    for (const double sigma : {0., 0.02, 0.1, 0.5, 1.})
     {
+      if (number_of_faces == 40000 && sigma < 0.5)
+        continue;
       const auto test = [&](const std::string& name, const Mesh& input, const auto& function)
       {
         Mesh mesh = input;
@@ -98,7 +100,7 @@ void test_scans()
     if (!CHECK(PMP::IO::read_polygon_mesh(CGAL::data_file_path(std::string("meshes/") + name), input)))
       continue;
     const CGAL::Rbf_implicit_function<Kernel> function(input);
-    for (const double sigma : {0.005, 0.02, 0.05})
+    for (const double sigma : {0.005, 0.05})
     {
       Mesh mesh = input;
       CGAL::anisotropic_hde_remeshing<Tag>(mesh, function,

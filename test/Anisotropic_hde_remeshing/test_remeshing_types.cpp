@@ -75,7 +75,10 @@ TriangleMesh input()
 }
 
 // the soup of the result does not depend on the type
-template <typename Tag, typename TriangleMesh>
+// that of the instantiations that all tests share; other tags are a matter of test_determinism
+typedef CGAL::Parallel_if_available_tag Tag;
+
+template <typename TriangleMesh>
 void test_type(const std::string& name, std::uint64_t& expected)
 {
   TriangleMesh mesh = input<TriangleMesh>();
@@ -105,7 +108,7 @@ void test_external_points(const std::string& name, const std::uint64_t expected)
     points.emplace(v, Cartesian::Point_3(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())));
   }
   const boost::associative_property_map<std::map<Vertex, Cartesian::Point_3>> point_map(points);
-  CGAL::anisotropic_hde_remeshing(
+  CGAL::anisotropic_hde_remeshing<Tag>(
       mesh, CGAL::parameters::relative_sigma(0.05).number_of_target_faces(1000).vertex_point_map(point_map));
   CHECK(CGAL::is_valid_polygon_mesh(mesh));
   std::cout << name << std::endl;
@@ -118,22 +121,20 @@ void test_own_function_with_exact_points()
   typedef CGAL::Surface_mesh<Epeck::Point_3> Exact_mesh;
   Exact_mesh mesh = input<Exact_mesh>();
   const Mesh before = to_plain_mesh(mesh, mesh.points());
-  CGAL::anisotropic_hde_remeshing(mesh, Ellipsoid_function(), CGAL::parameters::number_of_target_faces(700));
+  CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(), CGAL::parameters::number_of_target_faces(700));
   check_validity("own function, exact points", before, to_plain_mesh(mesh, mesh.points()), Ellipsoid_function());
 }
 
 int main()
 {
-  typedef CGAL::Sequential_tag Sequential;
-  typedef CGAL::Parallel_if_available_tag Parallel;
   std::uint64_t expected = 0;
-  test_type<Sequential, CGAL::Surface_mesh<Epick::Point_3>>("Surface_mesh, EPICK", expected);
-  test_type<Parallel, CGAL::Surface_mesh<Cartesian::Point_3>>("Surface_mesh, Simple_cartesian", expected);
-  test_type<Parallel, CGAL::Surface_mesh<Epeck::Point_3>>("Surface_mesh, EPECK", expected);
-  test_type<Parallel, CGAL::Polyhedron_3<Epick>>("Polyhedron_3, EPICK", expected);
-  test_type<Sequential, CGAL::Polyhedron_3<Cartesian, CGAL::Polyhedron_items_with_id_3>>(
-      "Polyhedron_3 with ids, Simple_cartesian", expected);
-  test_type<Sequential, CGAL::Polyhedron_3<Epeck>>("Polyhedron_3, EPECK", expected);
+  test_type<CGAL::Surface_mesh<Epick::Point_3>>("Surface_mesh, EPICK", expected);
+  test_type<CGAL::Surface_mesh<Cartesian::Point_3>>("Surface_mesh, Simple_cartesian", expected);
+  test_type<CGAL::Surface_mesh<Epeck::Point_3>>("Surface_mesh, EPECK", expected);
+  test_type<CGAL::Polyhedron_3<Epick>>("Polyhedron_3, EPICK", expected);
+  test_type<CGAL::Polyhedron_3<Cartesian, CGAL::Polyhedron_items_with_id_3>>("Polyhedron_3 with ids, Simple_cartesian",
+                                                                             expected);
+  test_type<CGAL::Polyhedron_3<Epeck>>("Polyhedron_3, EPECK", expected);
   test_external_points<CGAL::Surface_mesh<Epick::Point_3>>("Surface_mesh, external points", expected);
   test_external_points<CGAL::Polyhedron_3<Epick>>("Polyhedron_3, external points", expected);
   test_own_function_with_exact_points();
