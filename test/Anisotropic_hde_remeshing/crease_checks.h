@@ -67,55 +67,60 @@ inline Function detect(Mesh& mesh, const double angle)
   return Function(mesh, regions_of(mesh));
 }
 
-// Where the nearest piece vanishes, for the promises of all meshes, and on the creases, which may be off it like any curve.
-template <typename AnyFunction>
-struct Nearest_piece
+// how far the part of a polyline that an edge stands for may be from it, as a share of the diagonal
+constexpr double largest_deviation = 5e-5;
+
+// of the boundary, too
+inline std::set<Mesh::Vertex_index> vertices_on_curves(Mesh& mesh)
 {
-  const AnyFunction& function;
-  std::set<Point_3> on_creases;
+  std::set<Mesh::Vertex_index> result;
+  for (const Mesh::Edge_index e : mesh.edges())
+    if (creases_of(mesh)[e] || mesh.is_border(e))
+      result.insert({mesh.vertex(e, 0), mesh.vertex(e, 1)});
+  return result;
+}
 
-  Nearest_piece(const AnyFunction& f, Mesh& mesh) : function(f)
-  {
-    for (const Mesh::Edge_index e : mesh.edges())
-      if (creases_of(mesh)[e])
-        for (const int end : {0, 1})
-          on_creases.insert(mesh.point(mesh.vertex(e, unsigned(end))));
-  }
+// a piece, as a function of the points of the mesh
+template <typename AnyFunction>
+struct Piece
+{
+  typedef std::decay_t<decltype(std::declval<AnyFunction>().piece(0))> Function;
+  const Function& function;
 
-  double operator()(const Point_3& p) const { return on_creases.count(p) == 1 ? 0 : piece(p)(to_point(p)); }
-  auto gradient(const Point_3& p) const { return piece(p).gradient(to_point(p)); }
-
-  static auto to_point(const Point_3& p)
-  {
-    typedef std::decay_t<decltype(std::declval<AnyFunction>().piece(0))> Piece;
-    return typename Piece::Point_3(p.x(), p.y(), p.z());
-  }
+  Piece(const AnyFunction& f, const std::size_t region) : function(f.piece(region)) {}
+  double operator()(const Point_3& p) const { return function(to_point(p)); }
+  auto gradient(const Point_3& p) const { return function.gradient(to_point(p)); }
 
 private:
-  const auto& piece(const Point_3& p) const
-  {
-    std::size_t nearest = 0;
-    for (std::size_t i = 1; i < function.number_of_pieces(); ++i)
-      if (std::abs(function.piece(i)(to_point(p))) < std::abs(function.piece(nearest)(to_point(p))))
-        nearest = i;
-    return function.piece(nearest);
-  }
+  static auto to_point(const Point_3& p) { return typename Function::Point_3(p.x(), p.y(), p.z()); }
 };
 
-// of the vertices that are on no curve, from the zero set of their own piece
+// of the vertices that are on no curve, nor fixed, from the zero sets of their own pieces
 template <typename AnyFunction>
-double largest_distance_between_curves(Mesh& mesh, const AnyFunction& function)
+promises::Number_off_surface number_off_surface(Mesh& mesh, const AnyFunction& function, const double diagonal)
 {
-  const Nearest_piece<AnyFunction> nearest(function, mesh);
-  double largest = 0;
-  for (const Mesh::Vertex_index v : mesh.vertices())
-    if (!mesh.is_isolated(v) && !mesh.is_border(v) && nearest.on_creases.count(mesh.point(v)) == 0)
-    {
-      const auto& piece = function.piece(regions_of(mesh)[mesh.face(mesh.halfedge(v))]);
-      const auto p = nearest.to_point(mesh.point(v));
-      largest = (std::max)(largest, std::abs(piece(p)) / std::sqrt(piece.gradient(p).squared_length()));
-    }
-  return largest;
+  const std::set<Mesh::Vertex_index> on_curves = vertices_on_curves(mesh);
+  return promises::number_off_surface(
+      mesh, diagonal, [&](const Mesh::Vertex_index v) { return on_curves.count(v) == 0 && !fixed_of(mesh)[v]; },
+      [&](const Mesh::Vertex_index v) { return Piece<AnyFunction>(function, regions_of(mesh)[mesh.face(mesh.halfedge(v))]); });
+}
+
+// that vertices on curves between two regions, but those on the boundary, are where the pieces of both vanish
+template <typename AnyFunction>
+void check_creases_on_surface(Remeshing<AnyFunction>& r)
+{
+  const double distance = promises::largest_distance * bounding_box_diagonal(r.before);
+  std::size_t number = 0, number_off = 0;
+  for (const Mesh::Vertex_index v : vertices_on_curves(r.after))
+    if (!r.after.is_border(v))
+      for (const Mesh::Face_index f : r.after.faces_around_target(r.after.halfedge(v)))
+      {
+        ++number;
+        number_off +=
+            promises::is_within(distance, Piece<AnyFunction>(r.function, regions_of(r.after)[f]), r.after.point(v)) ? 0 : 1;
+      }
+  CHECK(number > 0);
+  CHECK(number_off == 0);
 }
 
 // by region: its vertices
@@ -164,12 +169,11 @@ inline void check_curves(Mesh& mesh, const Hde::Feature_curves& curves)
   CHECK_CLOSE(curves.length, sum, 1e-10 * sum);
 }
 
-// `deviation` of the creases from those of the input, as a share of the diagonal
+// `deviation` of the creases from those of the input, as a share of the diagonal; whether all vertices reach the surface
 template <typename AnyFunction>
-void check(const std::string& name, Remeshing<AnyFunction>& r, const double deviation = 1e-4)
+void check(const std::string& name, Remeshing<AnyFunction>& r, const double deviation = largest_deviation,
+           const bool reaches_surface = true)
 {
-  const std::string broken =
-      promises::broken(r.before, r.after, Nearest_piece<AnyFunction>(r.function, r.after), r.result, true);
   const double diagonal = bounding_box_diagonal(r.before);
   const creases::Segments before = creases::segments(r.before, creases_of(r.before)),
                           after = creases::segments(r.after, creases_of(r.after));
@@ -177,18 +181,18 @@ void check(const std::string& name, Remeshing<AnyFunction>& r, const double devi
                back = creases::largest_distance(before, after) / diagonal;
   const auto np = CGAL::parameters::face_patch_map(regions_of(r.after));
   const std::size_t folds = Hde::measure_embedding(r.after, r.function, np).number_of_folded_faces;
-  const double distance = largest_distance_between_curves(r.after, r.function) / diagonal;
+  const promises::Number_off_surface off_surface = number_off_surface(r.after, r.function, diagonal);
+  const std::string broken = promises::broken(r.before, r.after, off_surface, r.result, true);
   std::cout << name << ": " << r.after.number_of_faces() << " faces, " << r.result.number_of_regions << " regions, "
             << r.result.curves_before.number_of_curves << " curves, " << r.result.curves_before.number_of_corners
-            << " corners, creases/D " << forth << " and " << back << ", vertices/D " << distance << ", folds " << folds
-            << std::endl;
+            << " corners, creases/D " << forth << " and " << back << ", vertices off the surface " << off_surface.least
+            << ", folds " << folds << std::endl;
   if (!CHECK(broken.empty()))
     std::cerr << "  " << name << ": " << broken << std::endl;
+  CHECK(!reaches_surface || off_surface.most == 0);
   CHECK(folds == 0);
-  if (r.result.projections.closest_point + r.result.number_of_unprojected_vertices == 0)
-    CHECK(distance <= 1e-9);
-  CHECK(forth <= deviation);
-  CHECK(back <= deviation);
+  CHECK(forth <= deviation + 1e-12);
+  CHECK(back <= deviation + 1e-12);
   CHECK(creases::number_of_missing_points(creases::corners(r.before, creases_of(r.before)), r.after) == 0);
   CHECK(r.result.number_of_regions == r.function.number_of_pieces());
   CHECK(topology_of_regions(r.before) == topology_of_regions(r.after));

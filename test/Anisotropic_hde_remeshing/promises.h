@@ -38,7 +38,7 @@ namespace promises {
 
 namespace Hde = CGAL::Anisotropic_hde_remeshing;
 
-constexpr double largest_distance = 1e-8; // to the zero set, of the diagonal
+constexpr double largest_distance = 1e-8; // of a vertex that counts as on the zero set, of the diagonal
 
 template <typename Mesh>
 double diagonal(const Mesh& mesh)
@@ -79,25 +79,42 @@ bool has_finite_points(const Mesh& mesh)
   return true;
 }
 
-// vertices inside that are not on the zero set
-template <typename Mesh, typename Function>
-std::size_t number_off_surface(const Mesh& mesh, const Function& function, const double diagonal)
+// to first order; not if it is not a number
+template <typename Function, typename Point>
+bool is_within(const double distance, const Function& function, const Point& p)
 {
-  std::size_t number = 0;
-  for (const auto v : mesh.vertices())
-    if (!mesh.is_border(v))
-    {
-      const auto gradient = function.gradient(mesh.point(v));
-      const double slope = Hde::internal::Vector(gradient.x(), gradient.y(), gradient.z()).stableNorm();
-      number += !(std::abs(function(mesh.point(v))) <= largest_distance * diagonal * slope) ? 1 : 0;
-    }
-  return number;
+  const auto gradient = function.gradient(p);
+  return std::abs(function(p)) <= distance * Hde::internal::Vector(gradient.x(), gradient.y(), gradient.z()).stableNorm();
 }
 
-// the first promise that does not hold; empty if all do. `before` is a mesh that was not refused.
-template <typename Mesh, typename Function>
-std::string broken(const Mesh& before, const Mesh& after, const Function& function, const Hde::Remeshing_result& result,
-                   const bool has_self_intersection_tests)
+// How many vertices are off the surface, from one number to the other: at distances within one per cent of the largest one, sums in
+// another order may tell otherwise.
+struct Number_off_surface
+{
+  std::size_t least = 0, most = 0;
+};
+
+// of the vertices inside for which `is_free(v)`, from the zero set of `function_at(v)`; the diagonal is that of the input
+template <typename Mesh, typename IsFree, typename FunctionAt>
+Number_off_surface number_off_surface(const Mesh& mesh, const double diagonal, const IsFree& is_free,
+                                      const FunctionAt& function_at)
+{
+  const double distance = largest_distance * diagonal;
+  Number_off_surface result;
+  for (const auto v : mesh.vertices())
+    if (!mesh.is_isolated(v) && !mesh.is_border(v) && is_free(v))
+    {
+      result.least += is_within(1.01 * distance, function_at(v), mesh.point(v)) ? 0 : 1;
+      result.most += is_within(0.99 * distance, function_at(v), mesh.point(v)) ? 0 : 1;
+    }
+  return result;
+}
+
+// The first promise that does not hold; empty if all do. `before` is a mesh that was not refused, `off_surface` the number of
+// vertices of `after`, which are told in the result exactly.
+template <typename Mesh>
+std::string broken(const Mesh& before, const Mesh& after, const Number_off_surface& off_surface,
+                   const Hde::Remeshing_result& result, const bool has_self_intersection_tests)
 {
   std::ostringstream text;
   const auto grows = [&](const char* what, const std::size_t old_number, const std::size_t number)
@@ -119,18 +136,34 @@ std::string broken(const Mesh& before, const Mesh& after, const Function& functi
     return "the Euler characteristic changed";
   if (!has_finite_points(after))
     return "a coordinate is not finite";
+  if (result.number_of_unprojected_vertices < off_surface.least || result.number_of_unprojected_vertices > off_surface.most)
+  {
+    text << off_surface.least << " vertices are off the surface, " << result.number_of_unprojected_vertices
+         << " as the result tells";
+    return text.str();
+  }
   const double size = diagonal(before), unit = std::exp2(std::round(std::log2(size)));
   const Mesh scaled_before = in_unit(before, unit), scaled_after = in_unit(after, unit);
   const Hde::Shape_measures old_shape = Hde::measure_shape(scaled_before), shape = Hde::measure_shape(scaled_after);
   if (grows("degenerate faces", old_shape.number_of_degenerate_faces, shape.number_of_degenerate_faces) ||
       grows("folded edges", old_shape.number_of_folded_edges, shape.number_of_folded_edges) ||
-      grows("vertices off the surface, as the result tells",
-            result.projections.closest_point + result.number_of_unprojected_vertices,
-            number_off_surface(after, function, size)) ||
       (has_self_intersection_tests && number_of_self_intersections(scaled_before) == 0 &&
        grows("pairs of faces that intersect", 0, number_of_self_intersections(scaled_after))))
     return text.str();
   return "";
+}
+
+// the same on the zero set of one function, with no vertex inside that must stay where it is
+template <typename Mesh, typename Function>
+std::string broken(const Mesh& before, const Mesh& after, const Function& function, const Hde::Remeshing_result& result,
+                   const bool has_self_intersection_tests)
+{
+  if (!has_finite_points(after))
+    return "a coordinate is not finite";
+  const Number_off_surface off_surface = number_off_surface(
+      after, diagonal(before), [](typename Mesh::Vertex_index) { return true; },
+      [&](typename Mesh::Vertex_index) -> const Function& { return function; });
+  return broken(before, after, off_surface, result, has_self_intersection_tests);
 }
 
 enum class Kind
