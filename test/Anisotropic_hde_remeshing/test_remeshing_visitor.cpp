@@ -102,13 +102,17 @@ struct Stop : std::runtime_error
   Stop() : std::runtime_error("stop") {}
 };
 
-// throws at the n-th call of any kind
+// throws at the n-th call: of stages and shares, whose number is always the same, or of questions, too, which depend on the clock
 struct Throwing_visitor : Hde::Remeshing_visitor
 {
   std::size_t* calls;
   std::size_t n;
+  bool counts_questions;
 
-  Throwing_visitor(std::size_t& calls, const std::size_t n) : calls(&calls), n(n) {}
+  Throwing_visitor(std::size_t& calls, const std::size_t n, const bool counts_questions)
+    : calls(&calls), n(n), counts_questions(counts_questions)
+  {
+  }
   void count() const
   {
     if (++*calls == n)
@@ -118,7 +122,8 @@ struct Throwing_visitor : Hde::Remeshing_visitor
   void progress(double) { count(); }
   bool go_further()
   {
-    count();
+    if (counts_questions)
+      count();
     return true;
   }
 };
@@ -126,22 +131,26 @@ struct Throwing_visitor : Hde::Remeshing_visitor
 void test_throwing_visitor()
 {
   const Mesh input = ellipsoid(3);
-  std::size_t all = 0;
-  {
-    Mesh mesh = input;
-    CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(), CGAL::parameters::visitor(Throwing_visitor(all, 0)));
-  }
-  CHECK(all > 20);
-  // at the first calls, some in the middle, the last ones
-  for (const std::size_t n : {std::size_t(1), std::size_t(2), std::size_t(3), std::size_t(10), all / 2, all - 1, all})
+  const auto remesh = [](Mesh& mesh, const Throwing_visitor& visitor)
+  { CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(), CGAL::parameters::visitor(visitor)); };
+  const auto check = [&](const std::size_t n, const bool counts_questions)
   {
     Mesh mesh = input;
     std::size_t calls = 0;
-    CHECK_THROWS(
-        CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(), CGAL::parameters::visitor(Throwing_visitor(calls, n))),
-        Stop);
+    CHECK_THROWS(remesh(mesh, Throwing_visitor(calls, n, counts_questions)), Stop);
     CHECK(digest(mesh) == digest(input));
+  };
+  std::size_t all = 0;
+  {
+    Mesh mesh = input;
+    remesh(mesh, Throwing_visitor(all, 0, false));
   }
+  CHECK(all > 20);
+  // at the first calls, some in the middle, the last ones
+  for (const std::size_t n : {std::size_t(1), std::size_t(2), all / 2, all - 1, all})
+    check(n, false);
+  for (const std::size_t n : {1, 2, 3, 10, 30})
+    check(n, true);
 }
 
 // --- stopping by the clock ---
