@@ -65,8 +65,9 @@ struct Remeshing_result
   std::size_t number_of_regions = 0;           ///< between creases, each smooth: one, unless the function is piecewise
   Feature_curves curves_before, curves_after;  ///< in the input and in the result
   std::size_t number_of_isolated_vertices = 0; ///< isolated vertices of the input, which the result does not have
-  /// vertices that are near the surface only, because the last way to it would have folded a face, or let it intersect another
-  /// one if these are tested
+  /// vertices of the result, but those of curves and constrained ones, that are further than 1e-8 of the diagonal of the bounding
+  /// box from the zero set (its value over the length of its gradient): the function led nowhere, and they are on the input; or the
+  /// last way would have folded a face, or let it intersect another one if these are tested. Before `fit_to_surface` moves them.
   std::size_t number_of_unprojected_vertices = 0;
   Projection_counters projections;
   bool was_stopped = false;             ///< whether the visitor ended the remeshing early

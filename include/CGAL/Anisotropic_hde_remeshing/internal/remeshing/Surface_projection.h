@@ -68,11 +68,12 @@ public:
   // that counts as exact, Newton's method leaves its square times half a curvature, 1e-9 where that is 2000 over the diagonal
   bool is_exact(const Vertex_state& state) const { return state.last_step <= 1e3 * m_exact_distance; }
 
-  // whether the point is as near to the zero set as exact projections get, to first order
+  // whether the point is as near to the zero set as the worst of the exact projections, to first order
   bool is_on_surface(const Vertex_state& state, const Region region) const
   {
     const Value_and_gradient at_point = evaluate(state.point, region);
-    return std::abs(at_point.value) <= m_exact_distance * at_point.gradient.norm(); // not if they are not numbers
+    // not if they are not numbers
+    return std::abs(at_point.value) <= largest_jump * m_exact_distance * at_point.gradient.norm();
   }
 
   // onto the zero set, as near as doubles allow
@@ -178,6 +179,7 @@ private:
     {
       m_input.project(state);
       state.last_step = 0;
+      state.is_on_input = true;
       m_number_by_closest_point.fetch_add(1, std::memory_order_relaxed);
     }
   }
@@ -205,6 +207,7 @@ private:
         state.point = is_exact ? p : next;
         state.normal = m_orientations[region] * normal;
         state.last_step = best_distance = std::abs(signed_distance);
+        state.is_on_input = false;
         is_found = true;
         if (!is_exact || best_distance <= settled * m_exact_distance)
           return true;
@@ -250,6 +253,7 @@ private:
     state.point = p;
     state.normal = m_orientations[region] * normal;
     state.last_step = 0;
+    state.is_on_input = false;
     return true;
   }
 

@@ -58,7 +58,7 @@ public:
       if (!moves.is_moved(v))
       {
         m_placement.update(m_mesh.point(v), region(v), m_mesh.sides(v));
-        if (!m_mesh.point(v).is_on_curve && !m_mesh.point(v).is_fixed)
+        if (is_free(v))
           m_mesh.point(v).set_predicted();
       }
   }
@@ -74,7 +74,7 @@ public:
       return false; // not all have been projected, or looked at
     moves.template accept<ConcurrencyTag>(m_mesh);
     for (const Vertex_index v : m_mesh.vertices())
-      if (is_chosen(v) && !moves.is_moved(v) && !m_mesh.point(v).is_on_curve && !m_mesh.point(v).is_fixed &&
+      if (is_chosen(v) && (!moves.is_moved(v) || m_mesh.point(v).is_on_input) && is_free(v) &&
           !m_projection.is_on_surface(m_mesh.point(v), region(v)))
         ++m_result.number_of_unprojected_vertices;
     return true;
@@ -87,13 +87,13 @@ public:
   {
     const std::size_t n = vertex_capacity(m_mesh);
     std::vector<Vector> points(n, Vector::Zero()), normals(n, Vector::Zero());
-    std::vector<char> is_free(n, 0);
+    std::vector<char> is_fitted(n, 0);
     for (const Vertex_index v : m_mesh.vertices())
     {
       const Vertex& vertex = m_mesh.point(v);
       points[v] = vertex.point;
       normals[v] = m_projection.orientation(region(v)) * vertex.normal;
-      is_free[v] = !vertex.is_on_curve && !vertex.is_fixed;
+      is_fitted[v] = is_free(v);
     }
     std::vector<Facet> facets;
     std::vector<Region> regions;
@@ -104,9 +104,9 @@ public:
       regions.push_back(m_mesh.region(m_mesh.halfedge(f)));
     }
     const Vertex_fitter<ConcurrencyTag, typename Projection::Function> fit(m_projection.function(), m_projection.unit());
-    fit(points, normals, is_free, facets, regions);
+    fit(points, normals, is_fitted, facets, regions);
     Moves moves(m_mesh);
-    moves.template propose<ConcurrencyTag>([&](const Vertex_index v) { return bool(is_free[v]); },
+    moves.template propose<ConcurrencyTag>([&](const Vertex_index v) { return bool(is_fitted[v]); },
                                            [&](const Vertex_index v, Vertex& state, typename Mesh::Sides&)
                                            {
                                              state.point = points[v];
@@ -121,6 +121,8 @@ public:
 private:
   static bool all(Vertex_index) { return true; }
 
+  bool is_free(const Vertex_index v) const { return !m_mesh.point(v).is_on_curve && !m_mesh.point(v).is_fixed; }
+
   template <typename IsChosen>
   Moves exact_projections(const IsChosen& is_chosen, Interruption& interruption) const
   {
@@ -129,7 +131,7 @@ private:
         is_chosen,
         [&](const Vertex_index v, Vertex& state, typename Mesh::Sides& sides)
         {
-          if (!state.is_on_curve && !state.is_fixed)
+          if (is_free(v))
           {
             m_projection.project(state, region(v), 0.5 * mean_edge_length(v));
             m_embedding.place(state);

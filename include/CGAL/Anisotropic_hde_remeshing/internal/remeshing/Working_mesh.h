@@ -51,6 +51,7 @@ struct Vertex_state
   bool is_on_curve = false;               // of a boundary or of constrained edges, which the vertex does not leave
   bool is_fixed = false;                  // never moved nor removed
   bool is_on_crease = false;              // between regions, in each of which it has a state of its own
+  bool is_on_input = false;               // since the function led nowhere; the normal is that of the input
 
   // whether it was put where the surface is expected, without looking
   bool is_predicted() const { return std::isinf(last_step); }

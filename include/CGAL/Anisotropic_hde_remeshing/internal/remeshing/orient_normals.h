@@ -20,7 +20,8 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// For each region 1 if its faces look along the normals of their vertices, -1 if most of their area looks against them.
+// For each region 1 if its faces look along the gradients at their vertices, -1 if most of their area looks against them. Normals of
+// the input look the way of the faces, and tell nothing.
 template <typename Mesh>
 std::vector<double> orientations(const Mesh& mesh, const std::size_t number_of_regions)
 {
@@ -28,21 +29,24 @@ std::vector<double> orientations(const Mesh& mesh, const std::size_t number_of_r
   for (const Face_index f : mesh.faces())
   {
     const Corners<Mesh> t(mesh.halfedge(f), mesh);
-    result[mesh.region(mesh.halfedge(f))] +=
-        (t.b.point - t.a.point).cross(t.c.point - t.a.point).dot(t.a.normal + t.b.normal + t.c.normal);
+    const Vector area = (t.b.point - t.a.point).cross(t.c.point - t.a.point);
+    for (const auto* vertex : {&t.a, &t.b, &t.c})
+      if (!vertex->is_on_input)
+        result[mesh.region(mesh.halfedge(f))] += area.dot(vertex->normal);
   }
   for (double& sum : result)
     sum = sum < 0 ? -1 : 1;
   return result;
 }
 
-// turns the normals of those regions over
+// turns the gradients of those regions over
 template <typename Mesh>
 void orient_normals(Mesh& mesh, const std::vector<double>& orientations)
 {
   for (const Vertex_index v : mesh.vertices())
   {
-    mesh.point(v).normal *= orientations[mesh.region(mesh.halfedge(v))];
+    if (!mesh.point(v).is_on_input)
+      mesh.point(v).normal *= orientations[mesh.region(mesh.halfedge(v))];
     if (!mesh.point(v).is_on_crease)
       continue;
     for (auto& side : mesh.sides(v))
