@@ -201,10 +201,36 @@ void check(const std::string& name, Remeshing<AnyFunction>& r, const double devi
   check_curves(r.after, r.result.curves_after);
 }
 
-// capped_cylinder() with the pieces of its faces
-inline Mesh can(const unsigned int segments, const unsigned int rows)
+// pieces of a user's own: the cylinder of radius 1, and the planes z = -1 and z = 1
+struct Can_function
 {
-  Mesh mesh = capped_cylinder(segments, rows);
+  struct Piece
+  {
+    typedef Kernel::FT FT;
+    typedef shapes::Point_3 Point;
+    typedef shapes::Point_3 Point_3;
+    typedef shapes::Vector_3 Vector_3;
+
+    double side = 0; // of the plane; 0 is the cylinder
+
+    FT operator()(const Point_3& p) const { return side == 0 ? std::hypot(p.x(), p.y()) - 1 : side * p.z() - 1; }
+    Vector_3 gradient(const Point_3& p) const
+    {
+      return side == 0 ? Vector_3(p.x(), p.y(), 0) / std::hypot(p.x(), p.y()) : Vector_3(0, 0, side);
+    }
+  };
+
+  std::size_t number_of_pieces() const { return 3; }
+  const Piece& piece(const std::size_t i) const
+  {
+    static const Piece pieces[] = {Piece{0}, Piece{-1}, Piece{1}};
+    return pieces[i];
+  }
+};
+
+// a closed cylinder from z = -1 to 1 with the pieces of its faces
+inline Mesh can(Mesh mesh)
+{
   const Regions regions = regions_of(mesh);
   const Creases creases = creases_of(mesh);
   for (const Mesh::Face_index f : mesh.faces())
@@ -218,6 +244,8 @@ inline Mesh can(const unsigned int segments, const unsigned int rows)
     creases[e] = regions[mesh.face(mesh.halfedge(e))] != regions[mesh.face(mesh.opposite(mesh.halfedge(e)))];
   return mesh;
 }
+
+inline Mesh can(const unsigned int segments, const unsigned int rows) { return can(capped_cylinder(segments, rows)); }
 
 } // namespace crease_checks
 

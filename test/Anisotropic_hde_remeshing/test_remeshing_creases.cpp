@@ -81,33 +81,6 @@ Hde::Remeshing_result remesh_at_once(Mesh& mesh, const double angle, const std::
 
 // --- cylinders ---
 
-// the user's own pieces: the cylinder of radius 1, and the planes z = -1 and z = 1
-struct Can_function
-{
-  struct Piece
-  {
-    typedef Kernel::FT FT;
-    typedef shapes::Point_3 Point;
-    typedef shapes::Point_3 Point_3;
-    typedef shapes::Vector_3 Vector_3;
-
-    double side = 0; // of the plane; 0 is the cylinder
-
-    FT operator()(const Point_3& p) const { return side == 0 ? std::hypot(p.x(), p.y()) - 1 : side * p.z() - 1; }
-    Vector_3 gradient(const Point_3& p) const
-    {
-      return side == 0 ? Vector_3(p.x(), p.y(), 0) / std::hypot(p.x(), p.y()) : Vector_3(0, 0, side);
-    }
-  };
-
-  std::size_t number_of_pieces() const { return 3; }
-  const Piece& piece(const std::size_t i) const
-  {
-    static const Piece pieces[] = {Piece{0}, Piece{-1}, Piece{1}};
-    return pieces[i];
-  }
-};
-
 // vertices on the circles, the caps and the side, which may be that far away; the numbers of the pieces are those of can()
 void check_can(Mesh& mesh, const double circle, const double cap, const double side)
 {

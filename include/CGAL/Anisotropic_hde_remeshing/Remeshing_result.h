@@ -31,9 +31,13 @@ struct Projection_counters
 /// what decided on the number of faces
 enum class Target
 {
-  NUMBER_OF_FACES,    ///< `number_of_target_faces`, or as many as there were
-  EDGE_LENGTH,        ///< the target length
-  APPROXIMATION_ERROR ///< the error
+  NUMBER_OF_FACES,     ///< `number_of_target_faces`, or as many as there were
+  EDGE_LENGTH,         ///< the target length
+  APPROXIMATION_ERROR, ///< the error
+  FEATURE_CURVES,      ///< none: the number of faces was missed by more than 1%, and most of them are at creases, boundaries or
+                       ///< constraints, which need their vertices
+  GUARDS ///< none: it was missed by more than 1%, since what was left to do would have folded or flattened faces, or
+         ///< changed the topology
 };
 
 /// \ingroup PkgAnisotropicHdeRemeshingRef

@@ -61,7 +61,7 @@ private:
   {
     boost::container::small_vector<Vector, 16> normals;
     for (const New_face& face : change.new_faces())
-      normals.push_back(face_normal(*face[0].state, *face[1].state, *face[2].state));
+      normals.push_back(face_normal(*face.corners[0].state, *face.corners[1].state, *face.corners[2].state));
     std::size_t number_of_folds = 0;
     for (std::size_t i = 0; i < normals.size(); ++i)
       for (std::size_t k = 0; k < i; ++k)
@@ -99,7 +99,7 @@ private:
   static bool has_side(const New_face& face, const Vertex_index source, const Vertex_index target)
   {
     for (std::size_t k = 0; k < 3; ++k)
-      if (face[k].vertex == source && face[(k + 1) % 3].vertex == target)
+      if (face.corners[k].vertex == source && face.corners[(k + 1) % 3].vertex == target)
         return true;
     return false;
   }
@@ -107,7 +107,7 @@ private:
   static bool share_edge(const New_face& face, const New_face& other)
   {
     for (std::size_t k = 0; k < 3; ++k)
-      if (has_side(other, face[(k + 1) % 3].vertex, face[k].vertex))
+      if (has_side(other, face.corners[(k + 1) % 3].vertex, face.corners[k].vertex))
         return true;
     return false;
   }

@@ -110,8 +110,8 @@ public:
       Indexed_triangle t;
       for (std::size_t k = 0; k < 3; ++k)
       {
-        t.vertices[k] = vertex_number(face[k].vertex, *face[k].state);
-        t.points[k] = face[k].state->point;
+        t.vertices[k] = vertex_number(face.corners[k].vertex, *face.corners[k].state);
+        t.points[k] = face.corners[k].state->point;
       }
       triangles.push_back(t);
     }

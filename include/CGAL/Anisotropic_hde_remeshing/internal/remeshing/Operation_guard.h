@@ -13,6 +13,7 @@
 
 #include <CGAL/Anisotropic_hde_remeshing/internal/Interruption.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Deviation_guard.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Face_guard.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Fold_guard.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Local_change.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Simultaneous_moves.h>
@@ -22,8 +23,8 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// What is asked of all faces of an operation together, beside what Face_guard asks of each: that none folds over an edge, and
-// if these were asked for, that none is too far from the surface or intersects another one.
+// What is asked of every operation, and told by its change alone: that no face is folded or flattened, that none folds over an
+// edge, and if these were asked for, that none is too far from the surface or intersects another one.
 template <typename Mesh, typename Function, typename Intersections>
 class Operation_guard
 {
@@ -32,7 +33,7 @@ class Operation_guard
 public:
   // `unit` of the coordinates, in that of the function
   Operation_guard(const Mesh& mesh, const Function& function, const double unit, Intersections& intersections)
-    : m_mesh(mesh), m_folds(mesh), m_deviation(function, unit), m_intersections(intersections)
+    : m_mesh(mesh), m_faces(mesh), m_folds(mesh), m_deviation(function, unit), m_intersections(intersections)
   {
   }
 
@@ -41,18 +42,9 @@ public:
   // whether what it accepts depends only on what is next to the change
   bool is_local() const { return !m_intersections.is_active(); }
 
-  bool accepts(const Change& change) const { return m_folds.accepts(change) && m_intersections.accepts(change); }
-
-  bool accepts_distance(const Change& change) const
+  bool accepts(const Change& change) const
   {
-    if (!m_deviation.is_active())
-      return true;
-    // all faces are in one region, or new ones touch its curve
-    const Region region = m_mesh.region(m_mesh.halfedge(change.old_faces().front()));
-    for (const auto& face : change.new_faces())
-      if (!m_deviation.accepts(*face[0].state, *face[1].state, *face[2].state, region))
-        return false;
-    return true;
+    return m_faces.accepts(change) && m_folds.accepts(change) && m_intersections.accepts(change) && accepts_distance(change);
   }
 
   // to be told of what has been done: on the faces of a change, on both sides of an edge, or about a vertex
@@ -101,7 +93,21 @@ public:
   }
 
 private:
+  // a subdivision cuts nothing off
+  bool accepts_distance(const Change& change) const
+  {
+    if (!m_deviation.is_active() || change.kind() == Change_kind::SUBDIVISION)
+      return true;
+    // all faces are in one region, or new ones touch its curve
+    const Region region = m_mesh.region(m_mesh.halfedge(change.old_faces().front()));
+    for (const auto& face : change.new_faces())
+      if (!m_deviation.accepts(*face.corners[0].state, *face.corners[1].state, *face.corners[2].state, region))
+        return false;
+    return true;
+  }
+
   const Mesh& m_mesh;
+  const Face_guard<Mesh> m_faces;
   const Fold_guard<Mesh> m_folds;
   Deviation_guard<Function> m_deviation;
   Intersections& m_intersections; // which the operations keep up to date

@@ -76,6 +76,7 @@ class Remesher
   // Where creases keep more vertices than there shall be, the rest of the mesh is not given up for them: the length stays near that
   // which the area asks for, and contractions that only serve the number of faces are left out from this ratio of the numbers on.
   static constexpr double largest_length_factor_with_creases = 1.2, largest_ratio_with_creases = 1.1;
+  static constexpr double largest_miss = 0.01; // of the number of faces asked for
   // contractions that only serve the number of faces may make longer edges while the mesh settles
   static constexpr double longest_of_settling = 1.4;
 
@@ -153,9 +154,28 @@ public:
       m_projector.fit(m_interruption);
     if (m_parameters.error > 0)
       refine_to_error();
+    if (n > 0 && m_result.binding_target == Target::NUMBER_OF_FACES)
+      m_result.binding_target = binding_target(target.number_of_faces());
   }
 
 private:
+  // what kept the mesh from the number of faces, or that
+  Target binding_target(const double number_of_faces) const
+  {
+    const double tolerance = (std::max)(largest_miss * number_of_faces, 2.); // a split makes two faces
+    if (!(std::abs(double(m_mesh.number_of_faces()) - number_of_faces) > tolerance))
+      return Target::NUMBER_OF_FACES;
+    std::size_t number_at_curves = 0;
+    for (const Face_index f : m_mesh.faces())
+    {
+      const Triangle t(m_mesh.halfedge(f), m_mesh);
+      number_at_curves += is_kept(t.a) || is_kept(t.b) || is_kept(t.c);
+    }
+    return 2 * number_at_curves > m_mesh.number_of_faces() ? Target::FEATURE_CURVES : Target::GUARDS;
+  }
+
+  bool is_kept(const Vertex_index v) const { return m_mesh.point(v).is_on_curve || m_mesh.point(v).is_fixed; }
+
   void reorder()
   {
     reorder_in_space<ConcurrencyTag>(m_mesh, m_interruption);
@@ -249,6 +269,8 @@ private:
   {
     const double number_of_faces = target.number_of_faces() * alternating_factor(target.number_of_faces());
     const double length = m_length_factor * target.length() * std::sqrt(target.number_of_faces() / number_of_faces);
+    if (m_iteration == 0 && number_of_faces_after_splits(length) > largest_number_of_faces(number_of_faces))
+      m_operations.collapse(m_parameters.collapse_ratio * length, (std::numeric_limits<double>::infinity)());
     split(length, number_of_faces);
     report(0.2);
     collapse(length);
@@ -292,9 +314,32 @@ private:
   // so few splits or contractions that another pass over all edges is not worth it: the next iteration sees to the rest
   bool is_negligible(const std::size_t count) const { return 1000 * count <= m_mesh.number_of_edges(); }
 
+  // what splits may make, where a number is asked for
+  double largest_number_of_faces(const double number_of_faces) const
+  {
+    return largest_growth_of_splits * (std::max)(number_of_faces, double(m_mesh.number_of_faces()));
+  }
+
+  // If each edge were split alone. It is large for rows of needles, as the sides of cylinders are in CAD exports: these are to be
+  // contracted across first, which makes their long edges longer for a while.
+  double number_of_faces_after_splits(const double length) const
+  {
+    const double longest = m_parameters.split_ratio * length;
+    const double number_of_splits = parallel_sum<ConcurrencyTag>(
+        edge_capacity(m_mesh),
+        [&](const std::size_t i)
+        {
+          const Edge_index e(static_cast<Edge_index::size_type>(i));
+          if (m_mesh.is_removed(e))
+            return 0.;
+          return (std::max)(std::ceil(std::sqrt(squared_length(e, m_mesh, m_embedding)) / longest) - 1, 0.);
+        });
+    return double(m_mesh.number_of_faces()) + 2 * number_of_splits;
+  }
+
   void split(const double length, const double number_of_faces)
   {
-    const double largest = largest_growth_of_splits * (std::max)(number_of_faces, double(m_mesh.number_of_faces()));
+    const double largest = largest_number_of_faces(number_of_faces);
     for (int pass = 0; pass < maximum_number_of_split_passes && go_further(); ++pass)
     {
       const double room = (largest - double(m_mesh.number_of_faces())) / 2; // a split makes two faces of one

@@ -238,14 +238,15 @@ private:
   bool folds_over_normals(const Triangle& t, const Halfedge_index h, char& shape) const
   {
     const Vertex &a = state(t.a, h), &b = state(t.b, h), &c = state(t.c, h);
-    const double after = Face_guard::quality(a, b, c);
-    if (after > flat_cosine && !a.is_on_crease && !b.is_on_crease && !c.is_on_crease &&
+    const Face_quality after(a, b, c);
+    if (after.cosine > flat_cosine && !after.is_flat() && !a.is_on_crease && !b.is_on_crease && !c.is_on_crease &&
         (std::min)({a.normal.dot(b.normal), b.normal.dot(c.normal), c.normal.dot(a.normal)}) > flat_cosine_of_normals)
       shape = FLAT;
-    if (after >= Face_guard::smallest_cosine)
+    if (after.is_good())
       return false;
-    const Corners<Mesh> before(t, h, m_mesh);
-    return !Face_guard::accepts(after, Face_guard::quality(before.a, before.b, before.c));
+    const Corners<Mesh> corners(t, h, m_mesh);
+    const Face_quality before(corners.a, corners.b, corners.c);
+    return is_folded_by(after, before) || is_flattened_by(after, before);
   }
 
   // whether the moves fold the edge of h, which is not on the border

@@ -14,7 +14,6 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/Interruption.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Curve_network.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Face_guard.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Local_change.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Working_mesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/sorted_edges.h>
@@ -44,6 +43,10 @@ class Edge_collapser
   // Where all short edges may be contracted, their exact order does not matter, but the next one in it is far away in memory: in
   // classes, contractions in a mesh of 1,000,000 faces take 2.5 in place of 4.0 microseconds a face.
   static constexpr double classes_per_octave = 2;
+  // The centre of a larger fan stays until contractions across the fan and flips have made it smaller: the guard looks at all pairs of
+  // its faces.
+  static constexpr std::size_t largest_degree = 64;
+  static constexpr double not_allowed = (std::numeric_limits<double>::max)(); // a cost
 
 public:
   Edge_collapser(Mesh& mesh, const Embedding& embedding, const Curve_network& curves, const Guard& guard,
@@ -59,10 +62,11 @@ public:
   {
     const double squared_length = length * length, squared_longest = longest * longest;
     const std::vector<Keyed_edge> candidates = short_edges(squared_length, maximum == std::size_t(-1) ? classes_per_octave : 0);
-    std::vector<char> is_refused(candidates.size(), 0), is_touched(vertex_capacity(m_mesh), 0);
+    std::vector<Halfedge_index> choices(candidates.size());
+    std::vector<char> is_touched(vertex_capacity(m_mesh), 0);
     parallel_for<ConcurrencyTag>(
-        candidates.size(), [&](const std::size_t i) { is_refused[i] = !may_collapse(candidates[i].second, squared_longest); },
-        64, m_interruption);
+        candidates.size(), [&](const std::size_t i) { choices[i] = choose(candidates[i].second, squared_longest); }, 64,
+        m_interruption);
     std::size_t number_of_collapses = 0;
     for (std::size_t i = 0; i < candidates.size(); ++i)
     {
@@ -71,11 +75,13 @@ public:
       const Edge_index e = candidates[i].second;
       if (m_mesh.is_removed(e))
         continue;
-      if (is_refused[i] && !is_touched[m_mesh.vertex(e, 0)] && !is_touched[m_mesh.vertex(e, 1)])
+      if (!m_guard.is_local() || is_touched_around(e, is_touched))
+        choices[i] = internal::squared_length(e, m_mesh, m_embedding) < squared_length ? choose(e, squared_longest)
+                                                                                       : Mesh::null_halfedge();
+      if (!choices[i].is_valid() || !CGAL::Euler::does_satisfy_link_condition(e, m_mesh.graph()))
         continue;
-      // earlier contractions may have moved its ends
-      if (internal::squared_length(e, m_mesh, m_embedding) < squared_length && collapse(e, squared_longest, is_touched))
-        ++number_of_collapses;
+      touch_around(contract(choices[i]), is_touched);
+      ++number_of_collapses;
     }
     return number_of_collapses;
   }
@@ -97,56 +103,51 @@ private:
         m_interruption);
   }
 
-  bool may_collapse(const Edge_index e, const double squared_longest) const
-  {
-    static constexpr double not_allowed = (std::numeric_limits<double>::max)();
-    const Halfedge_index h = m_mesh.halfedge(e);
-    return cost(h, squared_longest) < not_allowed || cost(m_mesh.opposite(h), squared_longest) < not_allowed;
-  }
-
-  // marks the vertices whose edges it changes
-  bool collapse(const Edge_index e, const double squared_longest, std::vector<char>& is_touched) const
+  // the halfedge to whose target the edge is to be contracted, that with the shorter new edges first; none if the guard accepts none
+  Halfedge_index choose(const Edge_index e, const double squared_longest) const
   {
     const Halfedge_index h = m_mesh.halfedge(e), g = m_mesh.opposite(h);
     const double to_target = cost(h, squared_longest), to_source = cost(g, squared_longest);
-    if ((std::min)(to_target, to_source) == (std::numeric_limits<double>::max)() ||
-        !CGAL::Euler::does_satisfy_link_condition(e, m_mesh.graph()))
-      return false;
     const bool is_to_target = to_target <= to_source;
-    const Halfedge_index best = is_to_target ? h : g, other = is_to_target ? g : h;
-    Vertex_index kept;
-    if (!contract_if_accepted(best, kept) &&
-        !((std::max)(to_target, to_source) < (std::numeric_limits<double>::max)() && contract_if_accepted(other, kept)))
-      return false;
-    is_touched[kept] = 1;
-    for (const Halfedge_index in : m_mesh.halfedges_around_target(m_mesh.halfedge(kept)))
-      is_touched[m_mesh.source(in)] = 1;
-    return true;
+    if ((std::min)(to_target, to_source) < not_allowed && m_guard.accepts(contraction(is_to_target ? h : g)))
+      return is_to_target ? h : g;
+    if ((std::max)(to_target, to_source) < not_allowed && m_guard.accepts(contraction(is_to_target ? g : h)))
+      return is_to_target ? g : h;
+    return Mesh::null_halfedge();
   }
 
-  bool contract_if_accepted(const Halfedge_index h, Vertex_index& kept) const
+  // Whether something has changed of what `choose()` looks at: the faces at the ends, and those beyond these faces, which have two
+  // neighbours of an end.
+  bool is_touched_around(const Edge_index e, const std::vector<char>& is_touched) const
   {
-    const Change change = contraction(h);
-    if (!m_guard.accepts(change) || !m_guard.accepts_distance(change))
-      return false;
-    kept = contract(h);
-    m_guard.update(change);
-    return true;
+    for (const Halfedge_index h : {m_mesh.halfedge(e), m_mesh.opposite(m_mesh.halfedge(e))})
+      for (const Halfedge_index in : m_mesh.halfedges_around_target(h))
+        if (is_touched[m_mesh.source(in)])
+          return true;
+    return false;
+  }
+
+  void touch_around(const Vertex_index v, std::vector<char>& is_touched) const
+  {
+    is_touched[v] = 1;
+    for (const Halfedge_index in : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
+      is_touched[m_mesh.source(in)] = 1;
   }
 
   // what contracting h to its target changes
   Change contraction(const Halfedge_index h) const
   {
     Change change(m_mesh);
-    const auto kept = change.corner(m_mesh.target(h));
+    const Vertex_index kept = m_mesh.target(h);
     for (const Halfedge_index in : m_mesh.halfedges_around_target(m_mesh.opposite(h)))
     {
       if (m_mesh.is_border(in))
         continue;
-      change.remove(m_mesh.face(in));
+      const Face_index f = m_mesh.face(in);
+      change.remove(f);
       const Triangle t(in, m_mesh);
-      if (t.a != kept.vertex && t.c != kept.vertex)
-        change.add(change.corner(t.a), kept, change.corner(t.c));
+      if (t.a != kept && t.c != kept)
+        change.add(change.corner(t.a, in), change.corner(kept, in), change.corner(t.c, in), f);
     }
     return change;
   }
@@ -155,6 +156,7 @@ private:
   // the edges at the target, or along a curve those of the path that they replace
   Vertex_index contract(const Halfedge_index h) const
   {
+    const Change change = m_guard.is_local() ? Change(m_mesh) : contraction(h); // of which only others want to know
     const Vertex kept = m_mesh.point(m_mesh.target(h));
     const typename Mesh::Sides sides = m_mesh.sides(m_mesh.target(h));
     std::array<std::pair<Vertex_index, Curve_arc>, 3> arcs; // from neighbours to the vertex that stays
@@ -173,6 +175,7 @@ private:
     m_mesh.sides(v) = sides;
     for (std::size_t i = 0; i < number_of_arcs; ++i)
       m_mesh.set_arc(m_mesh.halfedge(arcs[i].first, v), arcs[i].second);
+    m_guard.update(change);
     return v;
   }
 
@@ -184,17 +187,19 @@ private:
     return {m_mesh.source(before), Curve_arc{first.curve, first.source, first.target + (second.target - second.source)}};
   }
 
-  // the longest squared edge that contracting h to its target makes; the largest double if that is not allowed
+  // the longest squared edge that contracting h to its target makes; `not_allowed` if it is longer than that, or leaves a curve
   double cost(const Halfedge_index h, const double squared_longest) const
   {
-    static constexpr double not_allowed = (std::numeric_limits<double>::max)();
     const Vertex_index removed = m_mesh.source(h), kept = m_mesh.target(h);
     const Vertex& from = m_mesh.point(removed);
     if (from.is_fixed || (from.is_on_curve && !may_shorten_curve(h)))
       return not_allowed;
     double longest = 0;
+    std::size_t degree = 0;
     for (Halfedge_index in = m_mesh.opposite(h);;)
     {
+      if (++degree > largest_degree)
+        return not_allowed;
       // `in` ends at the removed vertex
       const Vertex_index neighbor = m_mesh.source(in);
       if (neighbor != kept)
@@ -203,8 +208,6 @@ private:
         if (longest > squared_longest)
           return not_allowed; // guard 2
       }
-      if (!m_mesh.is_border(in) && !accepts_face(in, kept))
-        return not_allowed; // guards 1 and 3
       in = m_mesh.prev(m_mesh.opposite(in));
       if (in == m_mesh.opposite(h))
         break;
@@ -220,18 +223,6 @@ private:
       return length;
     const Halfedge_index out = m_mesh.opposite(in);
     return (std::max)(length, m_embedding.squared_length(m_mesh.state(neighbor, out), m_mesh.state(kept, out)));
-  }
-
-  // whether the face of `in` is as good with `kept` in the place of the target of `in`
-  bool accepts_face(const Halfedge_index in, const Vertex_index kept) const
-  {
-    const Triangle t(in, m_mesh);
-    if (t.a == kept || t.c == kept)
-      return true; // it vanishes
-    const Corners<Mesh> before(t, in, m_mesh);
-    const double after = Face_guard::quality(before.a, m_mesh.state(kept, in), before.c);
-    return after >= Face_guard::smallest_cosine ||
-           Face_guard::accepts(after, Face_guard::quality(before.a, before.b, before.c));
   }
 
   // A vertex of a curve goes along the curve only, past no face whose other edge is on it, too. The curve does not become much

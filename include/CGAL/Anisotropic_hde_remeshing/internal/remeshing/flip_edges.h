@@ -13,7 +13,6 @@
 
 #include <CGAL/Anisotropic_hde_remeshing/internal/Interruption.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Face_guard.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Local_change.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Working_mesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/embedded_triangle.h>
@@ -235,27 +234,21 @@ private:
     after = (std::max)(Embedded_triangle::largest_cosine(cd, ca, ad), Embedded_triangle::largest_cosine(cd, db, bc));
   }
 
-  // guards 1, 3 and 5
+  // whether the mesh stays a manifold, and what the guard says
   bool is_allowed(const Edge_index e, const Quad& q) const
   {
-    const Quad_states s(e, q, m_mesh);
-    const double after = (std::min)(Face_guard::quality(s.c, s.a, s.d), Face_guard::quality(s.d, s.b, s.c));
-    if (after < Face_guard::smallest_cosine &&
-        !Face_guard::accepts(after, (std::min)(Face_guard::quality(s.a, s.b, s.c), Face_guard::quality(s.b, s.a, s.d))))
-      return false;
     return q.c != q.d && !m_mesh.halfedge(q.c, q.d).is_valid() && m_mesh.degree(q.a) > 3 && m_mesh.degree(q.b) > 3 &&
-           is_accepted(exchange(e, q));
+           m_guard.accepts(exchange(e, q));
   }
-
-  bool is_accepted(const Change& change) const { return m_guard.accepts(change) && m_guard.accepts_distance(change); }
 
   // what a flip changes
   Change exchange(const Edge_index e, const Quad& q) const
   {
     Change change(m_mesh);
-    for (const Halfedge_index h : {m_mesh.halfedge(e), m_mesh.opposite(m_mesh.halfedge(e))})
-      change.remove(m_mesh.face(h));
-    const auto a = change.corner(q.a), b = change.corner(q.b), c = change.corner(q.c), d = change.corner(q.d);
+    const Halfedge_index h = m_mesh.halfedge(e);
+    change.remove(m_mesh.face(h));
+    change.remove(m_mesh.face(m_mesh.opposite(h)));
+    const auto a = change.corner(q.a, h), b = change.corner(q.b, h), c = change.corner(q.c, h), d = change.corner(q.d, h);
     change.add(c, a, d);
     change.add(d, b, c);
     return change;

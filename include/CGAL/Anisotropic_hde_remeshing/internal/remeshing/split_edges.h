@@ -14,7 +14,6 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Curve_network.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Curve_placement.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Face_guard.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Local_change.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Surface_projection.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Working_mesh.h>
@@ -90,7 +89,7 @@ private:
     {
       if (m_interruption.poll())
         break;
-      if (candidate.is_good && is_allowed(candidate))
+      if (candidate.is_good && m_guard.accepts(subdivision(candidate)))
       {
         split(candidate);
         ++number_of_splits;
@@ -180,38 +179,22 @@ private:
     m_embedding.place_between(a, b, middle);
   }
 
-  // guard 1
-  bool is_allowed(const Candidate& candidate) const
+  // what the split changes
+  Change subdivision(const Candidate& candidate) const
   {
+    Change change(m_mesh, Change_kind::SUBDIVISION);
     const Halfedge_index h = m_mesh.halfedge(candidate.edge);
-    return is_allowed(h, candidate) && is_allowed(m_mesh.opposite(h), candidate) &&
-           m_guard.accepts(subdivision(h, candidate.middle));
-  }
-
-  bool is_allowed(const Halfedge_index h, const Candidate& candidate) const
-  {
-    if (m_mesh.is_border(h))
-      return true;
-    const Corners<Mesh> t(h, m_mesh);
-    const Vertex& middle = state(candidate, h);
-    const double before = Face_guard::quality(t.a, t.b, t.c);
-    return Face_guard::accepts(Face_guard::quality(t.a, middle, t.c), before) &&
-           Face_guard::accepts(Face_guard::quality(middle, t.b, t.c), before);
-  }
-
-  // what splitting h changes
-  Change subdivision(const Halfedge_index h, const Vertex& middle) const
-  {
-    Change change(m_mesh);
-    const typename Change::Corner m{Mesh::null_vertex(), &middle};
     for (const Halfedge_index side : {h, m_mesh.opposite(h)})
     {
       if (m_mesh.is_border(side))
         continue;
-      change.remove(m_mesh.face(side));
+      const Face_index f = m_mesh.face(side);
       const Triangle t(side, m_mesh);
-      change.add(change.corner(t.a), m, change.corner(t.c));
-      change.add(m, change.corner(t.b), change.corner(t.c));
+      const typename Change::Corner a = change.corner(t.a, side), b = change.corner(t.b, side), c = change.corner(t.c, side),
+                                    middle{Mesh::null_vertex(), &state(candidate, side)};
+      change.remove(f);
+      change.add(a, middle, c, f);
+      change.add(middle, b, c, f);
     }
     return change;
   }

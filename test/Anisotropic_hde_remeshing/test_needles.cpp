@@ -1,0 +1,119 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+// What the package promises, on meshes that no surface reconstruction would make: a valid result or a refusal.
+
+// Needles, of which the sides of cylinders are made in files of CAD programs: long triangles across which nothing is needed, that have
+// to be split all the same. The number of faces asked for comes, or the result says what keeps the mesh from it.
+
+#include "check.h"
+#include "crease_checks.h"
+#include "remeshing_checks.h"
+#include "shapes.h"
+
+#include <CGAL/Anisotropic_hde_remeshing/quality_measures.h>
+#include <CGAL/anisotropic_hde_remeshing.h>
+
+#include <cmath>
+#include <cstddef>
+#include <iostream>
+#include <string>
+
+using namespace shapes;
+namespace Hde = CGAL::Anisotropic_hde_remeshing;
+
+typedef CGAL::Parallel_if_available_tag Tag;
+
+bool is_reached(const Mesh& mesh, const std::size_t wanted)
+{
+  return std::abs(double(mesh.number_of_faces()) - double(wanted)) <= 0.01 * double(wanted);
+}
+
+// valid, without a fold, and no needle is left
+void check_faces(const std::string& name, const Mesh& before, const Mesh& after, const double largest_ratio)
+{
+  CHECK(CGAL::is_valid_polygon_mesh(after));
+  const Hde::Topology_measures old_topology = Hde::measure_topology(before), topology = Hde::measure_topology(after);
+  CHECK(topology.number_of_components == old_topology.number_of_components);
+  CHECK(topology.number_of_boundary_loops == old_topology.number_of_boundary_loops);
+  CHECK(topology.euler_characteristic == old_topology.euler_characteristic);
+  const Hde::Shape_measures shape = Hde::measure_shape(after);
+  CHECK(shape.number_of_degenerate_faces == 0);
+  CHECK(shape.number_of_folded_edges <= Hde::measure_shape(before).number_of_folded_edges);
+  CHECK(shape.aspect_ratio_max <= largest_ratio);
+  std::cout << name << ": " << after.number_of_faces() << " faces, aspect ratio " << shape.aspect_ratio_mean << ", at most "
+            << shape.aspect_ratio_max << std::endl;
+}
+
+// one row of them, between two boundaries
+void test_open_cylinder(const std::size_t sides, const std::size_t wanted)
+{
+  const Mesh before = cylinder(sides, 1, 2);
+  Mesh mesh = before;
+  const Hde::Remeshing_result result =
+      CGAL::anisotropic_hde_remeshing<Tag>(mesh, Cylinder_function(), CGAL::parameters::number_of_target_faces(wanted));
+  check_faces("open cylinder of " + std::to_string(sides) + " sides, " + std::to_string(wanted) + " asked", before, mesh, 4);
+  CHECK(is_reached(mesh, wanted));
+  CHECK(result.binding_target == Hde::Target::NUMBER_OF_FACES);
+  CHECK(result.number_of_unprojected_vertices == 0);
+  // the needles are contracted across, not split to squares first
+  CHECK(result.number_of_splits <= 20 * wanted + sides);
+}
+
+// a row of them between two fans about the centres of the caps; the regions are those of Can_function
+Mesh can_of_needles(const std::size_t sides)
+{
+  Soup soup;
+  for (const double z : {-1., 1.})
+    for (std::size_t i = 0; i < sides; ++i)
+    {
+      const double angle = 2 * std::acos(-1.) * double(i) / double(sides);
+      soup.points.emplace_back(std::cos(angle), std::sin(angle), z);
+    }
+  soup.points.emplace_back(0, 0, -1);
+  soup.points.emplace_back(0, 0, 1);
+  for (std::size_t i = 0; i < sides; ++i)
+  {
+    const std::size_t j = (i + 1) % sides;
+    soup.triangles.push_back({i, j, sides + j});
+    soup.triangles.push_back({i, sides + j, sides + i});
+    soup.triangles.push_back({j, i, 2 * sides});
+    soup.triangles.push_back({sides + i, sides + j, 2 * sides + 1});
+  }
+  return crease_checks::can(to_mesh(soup));
+}
+
+// between two creases
+void test_can(const std::size_t sides, const std::size_t wanted)
+{
+  const Mesh before = can_of_needles(sides);
+  Mesh mesh = before;
+  const Hde::Remeshing_result result = CGAL::anisotropic_hde_remeshing<Tag>(
+      mesh, crease_checks::Can_function(),
+      CGAL::parameters::number_of_target_faces(wanted).relative_sigma(0.02).face_patch_map(crease_checks::regions_of(mesh)));
+  check_faces("can of " + std::to_string(sides) + " sides, " + std::to_string(wanted) + " asked", before, mesh, 60);
+  // Each circle keeps vertices, so that no edge leaves its polyline by more than 5e-5 of the diagonal. With three times the faces
+  // that these need there is no excuse.
+  const double largest_deviation = 5e-5 * bounding_box_diagonal(before);
+  const double least_on_circle = (std::min)(double(sides), std::acos(-1.) / std::acos(1 - largest_deviation));
+  CHECK(is_reached(mesh, wanted) || double(wanted) < 3 * 4 * least_on_circle);
+  CHECK(result.binding_target == (is_reached(mesh, wanted) ? Hde::Target::NUMBER_OF_FACES : Hde::Target::FEATURE_CURVES));
+}
+
+int main()
+{
+  for (const std::size_t sides : {60, 200, 2000})
+    for (const std::size_t wanted : {500, 4000})
+    {
+      test_open_cylinder(sides, wanted);
+      test_can(sides, wanted);
+    }
+  test_open_cylinder(600, 20000);
+  test_can(200, 20000);
+  return check_summary();
+}
