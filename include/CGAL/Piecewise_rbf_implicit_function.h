@@ -19,6 +19,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/sample_mesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/named_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameter_types.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/Region_facets.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/Region_plane.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/Uneven_region.h>
@@ -39,6 +40,7 @@
 #include <memory>
 #include <stdexcept>
 #include <thread>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -213,22 +215,8 @@ public:
   Piecewise_rbf_implicit_function(const TriangleMesh& tmesh, const FaceRegionMap face_region,
                                   const NamedParameters& np = parameters::default_values())
   {
-    using parameters::choose_parameter;
-    using parameters::get_parameter;
-    Real_timer timer;
-    timer.start();
-    Anisotropic_hde_remeshing::internal::interpolation_parameters(np); // throws what is wrong with them
-    auto visitor = choose_parameter(get_parameter(np, internal_np::visitor), Anisotropic_hde_remeshing::Remeshing_visitor());
-    Interruption interruption([&visitor] { return visitor.go_further(); });
-    const std::vector<Region_mesh> regions = Anisotropic_hde_remeshing::internal::split_regions(
-        tmesh, choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tmesh)),
-        face_region, interruption);
-    const auto data = std::make_shared<Data>();
-    data->pieces.resize(regions.size());
-    build(regions, np, interruption, data->pieces);
-    data->diagnostics = summary(data->pieces);
-    data->diagnostics.seconds = timer.time();
-    m_data = data;
+    if constexpr (accepts<TriangleMesh, FaceRegionMap, NamedParameters>())
+      build(tmesh, face_region, np);
   }
 
   /// the number of regions
@@ -246,6 +234,44 @@ private:
     std::vector<Piece> pieces;
     Anisotropic_hde_remeshing::Piecewise_rbf_diagnostics diagnostics;
   };
+
+  // whether the types of the arguments will do
+  template <typename TriangleMesh, typename FaceRegionMap, typename NamedParameters>
+  static constexpr bool accepts()
+  {
+    namespace internal = Anisotropic_hde_remeshing::internal;
+    if constexpr (!internal::accepts_mesh<TriangleMesh>())
+      return false;
+    else
+    {
+      constexpr bool has_regions =
+          std::is_convertible<internal::Value_of_map<FaceRegionMap, internal::Face_of<TriangleMesh>>, std::size_t>::value;
+      static_assert(has_regions, "face_region must be a property map from the faces of the mesh to std::size_t");
+      return has_regions &&
+             internal::accepts_parameters<internal::Parameters_of_function_of_mesh, TriangleMesh, NamedParameters>();
+    }
+  }
+
+  template <typename TriangleMesh, typename FaceRegionMap, typename NamedParameters>
+  void build(const TriangleMesh& tmesh, const FaceRegionMap face_region, const NamedParameters& np)
+  {
+    using parameters::choose_parameter;
+    using parameters::get_parameter;
+    Real_timer timer;
+    timer.start();
+    Anisotropic_hde_remeshing::internal::interpolation_parameters(np); // throws what is wrong with them
+    auto visitor = choose_parameter(get_parameter(np, internal_np::visitor), Anisotropic_hde_remeshing::Remeshing_visitor());
+    Interruption interruption([&visitor] { return visitor.go_further(); });
+    const std::vector<Region_mesh> regions = Anisotropic_hde_remeshing::internal::split_regions(
+        tmesh, choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tmesh)),
+        face_region, interruption);
+    const auto data = std::make_shared<Data>();
+    data->pieces.resize(regions.size());
+    build_pieces(regions, np, interruption, data->pieces);
+    data->diagnostics = summary(data->pieces);
+    data->diagnostics.seconds = timer.time();
+    m_data = data;
+  }
 
   // Passes the question of a region, in whatever thread it is built, on to the visitor, which the thread of the caller alone may ask.
   class Visitor_of_region : public Anisotropic_hde_remeshing::Remeshing_visitor
@@ -266,8 +292,8 @@ private:
   // Large regions have all threads for themselves, one after another: the thread of the caller, which asks the visitor, must not
   // work for another's. No exception may leave the loop over the small ones: it would cancel the loops within, which cannot tell.
   template <typename NamedParameters>
-  static void build(const std::vector<Region_mesh>& regions, const NamedParameters& np, Interruption& interruption,
-                    std::vector<Piece>& pieces)
+  static void build_pieces(const std::vector<Region_mesh>& regions, const NamedParameters& np, Interruption& interruption,
+                           std::vector<Piece>& pieces)
   {
     Bbox_3 box;
     std::size_t number_of_vertices = 0;

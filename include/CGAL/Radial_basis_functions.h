@@ -67,7 +67,10 @@ public:
   double support_radius() const { return 1. / std::sqrt(inverse_square()); }
 
 protected:
-  Rbf_support(const double radius, const Rbf_length_unit unit) : Rbf_shape_parameter("support_radius", radius, unit) {}
+  Rbf_support(const double radius, const Rbf_length_unit unit)
+    : Rbf_shape_parameter("support_radius of the radial function", radius, unit)
+  {
+  }
 };
 
 // (x)_+ without a branch, for numbers and for arrays
@@ -173,7 +176,7 @@ public:
   /// \param unit that of the width
   /// \throw std::invalid_argument unless it is finite and positive
   explicit Gaussian_rbf(const double width = 1.4, const Rbf_length_unit unit = Rbf_length_unit::LOCAL_SPACING)
-    : Rbf_shape_parameter("width", width, unit)
+    : Rbf_shape_parameter("width of the radial function", width, unit)
   {
   }
 
@@ -211,7 +214,7 @@ public:
   /// \param unit that of the width
   /// \throw std::invalid_argument unless it is finite and positive
   explicit Multiquadric_rbf(const double width = 1.5, const Rbf_length_unit unit = Rbf_length_unit::LOCAL_SPACING)
-    : Rbf_shape_parameter("width", width, unit)
+    : Rbf_shape_parameter("width of the radial function", width, unit)
   {
   }
 
@@ -248,7 +251,7 @@ public:
   /// \param unit that of the width
   /// \throw std::invalid_argument unless it is finite and positive
   explicit Inverse_multiquadric_rbf(const double width = 2, const Rbf_length_unit unit = Rbf_length_unit::LOCAL_SPACING)
-    : Rbf_shape_parameter("width", width, unit)
+    : Rbf_shape_parameter("width of the radial function", width, unit)
   {
   }
 

@@ -22,6 +22,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/sample_mesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/sample_points.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/named_parameters.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameter_types.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/type_traits.h>
 #include <CGAL/Radial_basis_functions.h>
 
@@ -175,24 +176,8 @@ public:
             typename = std::enable_if_t<!std::is_base_of<Rbf_implicit_function, MeshOrPointRange>::value>>
   explicit Rbf_implicit_function(const MeshOrPointRange& input, const NamedParameters& np = parameters::default_values())
   {
-    Real_timer timer;
-    timer.start();
-    Anisotropic_hde_remeshing::internal::Interpolation_parameters parameters =
-        Anisotropic_hde_remeshing::internal::interpolation_parameters(np);
-    auto visitor = parameters::choose_parameter(parameters::get_parameter(np, internal_np::visitor),
-                                                Anisotropic_hde_remeshing::Remeshing_visitor());
-    Interruption interruption([&visitor] { return visitor.go_further(); });
-    const RadialFunction function =
-        parameters::choose_parameter(parameters::get_parameter(np, internal_np::radial_function), RadialFunction());
-    const auto sample = std::make_shared<Surface_sample>(sample_input(input, np, interruption, Is_range<MeshOrPointRange>()));
-    check_sample(*sample);
-    m_normalization = sample->normalization;
-    m_squared_radius = squared_radius(*sample);
-    parameters.absolute_offset *= m_normalization.scale;
-    const double input_seconds = timer.time();
-    m_interpolant = std::make_shared<const Interpolant>(sample, signed_distance(sample, Is_range<MeshOrPointRange>()),
-                                                        parameters, function, m_normalization.scale, interruption);
-    m_diagnostics = complete(m_interpolant->diagnostics(), *sample, input_seconds);
+    if constexpr (accepts<MeshOrPointRange, NamedParameters>())
+      build(input, np);
   }
 
   /*!
@@ -255,6 +240,78 @@ public:
 private:
   static constexpr double reach = 1e6; // of the interpolant, in the size of the points
 
+  // whether the input and the types of the parameters will do
+  template <typename MeshOrPointRange, typename NamedParameters>
+  static constexpr bool accepts()
+  {
+    namespace internal = Anisotropic_hde_remeshing::internal;
+    constexpr bool is_range = Is_range<MeshOrPointRange>::value;
+    constexpr bool is_input = is_range || internal::Is_face_graph<MeshOrPointRange>::value;
+    static_assert(is_input,
+                  "the implicit function is built from a model of FaceListGraph or from a range of points with normals");
+    if constexpr (!is_input)
+      return false;
+    else
+    {
+      typedef std::conditional_t<is_range, internal::Parameters_of_function_of_range, internal::Parameters_of_function_of_mesh>
+          Parameters;
+      if constexpr (internal::accepts_parameters<Parameters, MeshOrPointRange, NamedParameters>())
+        return accepts_kernel<NamedParameters>() && has_points_and_normals<MeshOrPointRange, NamedParameters>();
+      else
+        return false;
+    }
+  }
+
+  template <typename MeshOrPointRange, typename NamedParameters>
+  static constexpr bool has_points_and_normals()
+  {
+    namespace internal = Anisotropic_hde_remeshing::internal;
+    if constexpr (!Is_range<MeshOrPointRange>::value ||
+                  !(parameters::is_default_parameter<NamedParameters, internal_np::point_t>::value ||
+                    parameters::is_default_parameter<NamedParameters, internal_np::normal_t>::value))
+      return true;
+    else
+    {
+      constexpr bool has_pairs = internal::Is_pair<internal::Value_of_range<MeshOrPointRange>>::value;
+      static_assert(has_pairs, "a range of points needs point_map and normal_map, unless its elements are pairs");
+      return has_pairs;
+    }
+  }
+
+  template <typename NamedParameters>
+  static constexpr bool accepts_kernel()
+  {
+    typedef Anisotropic_hde_remeshing::internal::Given_type<NamedParameters, internal_np::radial_function_t> Given;
+    constexpr bool is_kernel =
+        std::is_same<Given, internal_np::Param_not_found>::value || std::is_convertible<Given, RadialFunction>::value;
+    static_assert(is_kernel, "the named parameter radial_function takes an object of the second template argument of "
+                             "Rbf_implicit_function");
+    return is_kernel;
+  }
+
+  template <typename MeshOrPointRange, typename NamedParameters>
+  void build(const MeshOrPointRange& input, const NamedParameters& np)
+  {
+    Real_timer timer;
+    timer.start();
+    Anisotropic_hde_remeshing::internal::Interpolation_parameters parameters =
+        Anisotropic_hde_remeshing::internal::interpolation_parameters(np);
+    auto visitor = parameters::choose_parameter(parameters::get_parameter(np, internal_np::visitor),
+                                                Anisotropic_hde_remeshing::Remeshing_visitor());
+    Interruption interruption([&visitor] { return visitor.go_further(); });
+    const RadialFunction function =
+        parameters::choose_parameter(parameters::get_parameter(np, internal_np::radial_function), RadialFunction());
+    const auto sample = std::make_shared<Surface_sample>(sample_input(input, np, interruption, Is_range<MeshOrPointRange>()));
+    check_sample(*sample);
+    m_normalization = sample->normalization;
+    m_squared_radius = squared_radius(*sample);
+    parameters.absolute_offset *= m_normalization.scale;
+    const double input_seconds = timer.time();
+    m_interpolant = std::make_shared<const Interpolant>(sample, signed_distance(sample, Is_range<MeshOrPointRange>()),
+                                                        parameters, function, m_normalization.scale, interruption);
+    m_diagnostics = complete(m_interpolant->diagnostics(), *sample, input_seconds);
+  }
+
   template <int order>
   Jet<order> evaluate(const Point_3& p) const
   {
@@ -311,7 +368,7 @@ private:
   static auto point_map(const NamedParameters& np)
   {
     if constexpr (parameters::is_default_parameter<NamedParameters, internal_np::point_t>::value)
-      return First_of_pair_property_map<typename PointRange::value_type>();
+      return First_of_pair_property_map<Anisotropic_hde_remeshing::internal::Value_of_range<PointRange>>();
     else
       return parameters::get_parameter(np, internal_np::point_map);
   }
@@ -320,7 +377,7 @@ private:
   static auto normal_map(const NamedParameters& np)
   {
     if constexpr (parameters::is_default_parameter<NamedParameters, internal_np::normal_t>::value)
-      return Second_of_pair_property_map<typename PointRange::value_type>();
+      return Second_of_pair_property_map<Anisotropic_hde_remeshing::internal::Value_of_range<PointRange>>();
     else
       return parameters::get_parameter(np, internal_np::normal_map);
   }

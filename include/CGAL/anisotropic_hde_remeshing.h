@@ -18,6 +18,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_visitor.h>
 #include <CGAL/Anisotropic_hde_remeshing/Surface_regions.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/named_parameters.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameter_types.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/remesh_faces.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/type_traits.h>
 #include <CGAL/Piecewise_rbf_implicit_function.h>
@@ -39,16 +40,60 @@ namespace internal {
 
 // which of the functions below is meant
 template <typename T>
-constexpr bool is_face_range = Is_range<std::decay_t<T>>::value;
+constexpr bool is_face_range = Is_range<T>::value;
+
+// all faces of a mesh
+struct Whole_mesh
+{
+  template <typename TriangleMesh>
+  auto operator()(const TriangleMesh& tmesh) const
+  {
+    return faces(tmesh);
+  }
+  static constexpr bool is_whole = true;
+};
+
+// some of them
+template <typename FaceRange>
+struct Part_of_mesh
+{
+  const FaceRange& range;
+
+  template <typename TriangleMesh>
+  const FaceRange& operator()(const TriangleMesh&) const
+  {
+    return range;
+  }
+  static constexpr bool is_whole = false;
+};
+
+template <typename TriangleMesh>
+constexpr bool accepts_faces_of(const Whole_mesh*)
+{
+  return true;
+}
+template <typename TriangleMesh, typename FaceRange>
+constexpr bool accepts_faces_of(const Part_of_mesh<FaceRange>*)
+{
+  return accepts_faces<TriangleMesh, FaceRange>();
+}
 
 // on the zero set of the caller's function
-template <typename ConcurrencyTag, typename FaceRange, typename TriangleMesh, typename Function, typename NamedParameters>
-Remeshing_result remesh_faces_on_surface(const FaceRange& faces, TriangleMesh& tmesh, const Function& function,
-                                         const bool is_whole_mesh, const NamedParameters& np)
+template <typename ConcurrencyTag, typename Faces, typename TriangleMesh, typename Function, typename NamedParameters>
+Remeshing_result remesh_on_surface(const Faces& faces, TriangleMesh& tmesh, const Function& function, const NamedParameters& np)
 {
-  static_assert(!is_given<NamedParameters, internal_np::sharp_angle_t>,
-                "sharp_angle is for the function that is built here; a piecewise function comes with its face_patch_map");
-  return remesh_faces<ConcurrencyTag>(faces, tmesh, function, is_whole_mesh, np, crease_maps<Function, TriangleMesh>(np));
+  if constexpr (accepts_mesh_to_write<TriangleMesh>())
+    if constexpr (accepts_faces_of<TriangleMesh>(static_cast<const Faces*>(nullptr)))
+      if constexpr (accepts_function<Function>())
+        if constexpr (accepts_parameters<Parameters_of_remeshing, TriangleMesh, NamedParameters>())
+        {
+          static_assert(
+              !is_given<NamedParameters, internal_np::sharp_angle_t>,
+              "sharp_angle is for the function that is built here; a piecewise function comes with its face_patch_map");
+          return remesh_faces<ConcurrencyTag>(faces(tmesh), tmesh, function, Faces::is_whole, np,
+                                              crease_maps<Function, TriangleMesh>(np));
+        }
+  return Remeshing_result();
 }
 
 // On the surface through the vertices of the whole mesh, whichever faces are remeshed: smooth, or smooth between creases. The
@@ -99,6 +144,16 @@ Remeshing_result remesh_faces_on_built_surface(const FaceRange& faces, TriangleM
   return result;
 }
 
+template <typename ConcurrencyTag, typename Faces, typename TriangleMesh, typename NamedParameters>
+Remeshing_result remesh_on_built_surface(const Faces& faces, TriangleMesh& tmesh, const NamedParameters& np)
+{
+  if constexpr (accepts_mesh_to_write<TriangleMesh>())
+    if constexpr (accepts_faces_of<TriangleMesh>(static_cast<const Faces*>(nullptr)))
+      if constexpr (accepts_parameters<Parameters_of_remeshing_without_function, TriangleMesh, NamedParameters>())
+        return remesh_faces_on_built_surface<ConcurrencyTag>(faces(tmesh), tmesh, Faces::is_whole, np);
+  return Remeshing_result();
+}
+
 } // namespace internal
 } // namespace Anisotropic_hde_remeshing
 
@@ -126,7 +181,9 @@ manifold and consistently oriented, with the components, boundary loops and Eule
 none looks against the normals at its vertices more than those before it, and there are not more edges over which two faces turn by
 more than 143 degrees; no face is degenerate that was not. Vertices that are not on the zero set are counted in the result. With
 `do_self_intersection_tests`, the result has no self-intersection that the input does not have. The result does not depend on the
-number of threads. Anything else is refused before `tmesh` is touched; if an exception is thrown, it is as it was.
+number of threads. Anything else is refused before `tmesh` is touched; if an exception is thrown, it is as it was, and so are the
+values of the property maps at its elements, but those of `vertex_location_map`. Property maps that `tmesh` itself keeps are written
+when nothing can fail any more; others, which may throw, while the old elements are still there, and then put back.
 
 If constraints are given, constrained vertices, the ends, branchings and turns mentioned above, and protected edges keep their
 descriptors; if none are given, all elements are replaced: descriptors become invalid, and isolated vertices are dropped.
@@ -202,13 +259,14 @@ descriptors; if none are given, all elements are replaced: descriptors become in
     \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_iterations}
-    \cgalParamDescription{how often the sequence of operations is done; 0 only projects the vertices}
-    \cgalParamType{unsigned int}
+    \cgalParamDescription{how often the sequence of operations is done; 0 only projects the vertices, and measures the error, if one
+                          is asked for, without refining}
+    \cgalParamType{an integer from 0 to 1,000,000}
     \cgalParamDefault{10}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_relaxation_steps}
     \cgalParamDescription{how often an iteration smooths; not used by the scheme of the paper}
-    \cgalParamType{unsigned int}
+    \cgalParamType{an integer from 0 to 1,000,000}
     \cgalParamDefault{3}
   \cgalParamNEnd
   \cgalParamNBegin{remeshing_scheme}
@@ -286,6 +344,8 @@ descriptors; if none are given, all elements are replaced: descriptors become in
 \throw std::invalid_argument if `tmesh` has no faces, a face that is not a triangle, a vertex that is not manifold, or
        coordinates that are not finite, if `function` is piecewise and the patch of a face is not the number of a piece, or if a
        parameter is out of its range; the message names it and its value
+\throw std::length_error if the indices have no room: for more than \f$ 2^{32} - 2 \f$ halfedges, those of the boundary included, and
+       with `fit_to_surface` for more than 238,609,294 faces
 
 \sa `Anisotropic_hde_remeshing::detect_surface_regions()`
 */
@@ -295,7 +355,8 @@ template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typen
 Anisotropic_hde_remeshing::Remeshing_result anisotropic_hde_remeshing(TriangleMesh& tmesh, const Function& function,
                                                                       const NamedParameters& np = parameters::default_values())
 {
-  return Anisotropic_hde_remeshing::internal::remesh_faces_on_surface<ConcurrencyTag>(faces(tmesh), tmesh, function, true, np);
+  namespace internal = Anisotropic_hde_remeshing::internal;
+  return internal::remesh_on_surface<ConcurrencyTag>(internal::Whole_mesh(), tmesh, function, np);
 }
 
 /*!
@@ -314,7 +375,9 @@ not use `vertex_normal_map`.
     \cgalParamDescription{the least angle between the normals of two faces, in degrees, at which their edge is a crease; noise
                           is dropped. The edges of `edge_is_constrained_map` and those between two patches of `face_patch_map`
                           are creases, too, whatever their angle; in the end, the first map is set for the edges on all creases,
-                          the second one keeps the patches. For machine parts 20 to 40 are good.}
+                          the second one keeps the patches. With `protect_constraints` the creases are marked, too. Where only some faces are
+                          remeshed, these are the creases inside them. For machine parts 20 to 40 are good. (CGAL's parameter
+                          `sharpness_angle` is another one: the width, 0 to 90 degrees, of a weight for the normals of neighbouring points.)}
     \cgalParamType{a number of more than 0 and less than 180}
     \cgalParamDefault{the surface is smooth everywhere}
   \cgalParamNEnd
@@ -326,7 +389,8 @@ template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typen
 Anisotropic_hde_remeshing::Remeshing_result anisotropic_hde_remeshing(TriangleMesh& tmesh,
                                                                       const Named_function_parameters<T, Tag, Base>& np)
 {
-  return Anisotropic_hde_remeshing::internal::remesh_faces_on_built_surface<ConcurrencyTag>(faces(tmesh), tmesh, true, np);
+  namespace internal = Anisotropic_hde_remeshing::internal;
+  return internal::remesh_on_built_surface<ConcurrencyTag>(internal::Whole_mesh(), tmesh, np);
 }
 
 /*!
@@ -346,7 +410,8 @@ Anisotropic_hde_remeshing::Remeshing_result anisotropic_hde_remeshing(TriangleMe
 remeshes some faces of a mesh only. All else is untouched and keeps its descriptors, the edges where it meets these faces, too.
 `number_of_target_faces` counts the faces of the range; relative lengths refer to the whole mesh.
 
-\tparam FaceRange a range of `boost::graph_traits<TriangleMesh>::%face_descriptor`, forward
+\tparam FaceRange a range of `boost::graph_traits<TriangleMesh>::%face_descriptor`: what has a begin and an end, such as a container,
+        `CGAL::Iterator_range`, or a span or view of C++20
 */
 template <typename ConcurrencyTag = Sequential_tag, typename FaceRange, typename TriangleMesh, typename Function,
           typename NamedParameters = parameters::Default_named_parameters,
@@ -355,7 +420,8 @@ Anisotropic_hde_remeshing::Remeshing_result anisotropic_hde_remeshing(const Face
                                                                       const Function& function,
                                                                       const NamedParameters& np = parameters::default_values())
 {
-  return Anisotropic_hde_remeshing::internal::remesh_faces_on_surface<ConcurrencyTag>(faces, tmesh, function, false, np);
+  namespace internal = Anisotropic_hde_remeshing::internal;
+  return internal::remesh_on_surface<ConcurrencyTag>(internal::Part_of_mesh<FaceRange>{faces}, tmesh, function, np);
 }
 
 /*!
@@ -369,7 +435,8 @@ template <typename ConcurrencyTag = Sequential_tag, typename FaceRange, typename
 Anisotropic_hde_remeshing::Remeshing_result anisotropic_hde_remeshing(const FaceRange& faces, TriangleMesh& tmesh,
                                                                       const Named_function_parameters<T, Tag, Base>& np)
 {
-  return Anisotropic_hde_remeshing::internal::remesh_faces_on_built_surface<ConcurrencyTag>(faces, tmesh, false, np);
+  namespace internal = Anisotropic_hde_remeshing::internal;
+  return internal::remesh_on_built_surface<ConcurrencyTag>(internal::Part_of_mesh<FaceRange>{faces}, tmesh, np);
 }
 
 } // namespace CGAL

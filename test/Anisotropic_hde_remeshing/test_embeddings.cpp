@@ -92,11 +92,11 @@ void test_metric_of_curvature()
   const Eigen::Matrix2d adaptive = Eigen::Matrix2d::Identity() + shape_operator * shape_operator / shape_operator.determinant();
   CHECK((Hde::Adaptive_normal_embedding().of_shape_operator(shape_operator) - adaptive).norm() < 0.1 * adaptive.norm());
 
-  CHECK_THROWS(Hde::Curvature_metric(0.9), std::invalid_argument);
+  CHECK(contains(invalid_argument_message([] { Hde::Curvature_metric(0.9); }), "p of Curvature_metric is 0.9"));
   CHECK_THROWS(Hde::Curvature_metric(std::nan("")), std::invalid_argument);
   Hde::Metric_bounds bounds;
   bounds.gradation = 1;
-  CHECK_THROWS(Hde::Curvature_metric(2, bounds), std::invalid_argument);
+  CHECK(contains(invalid_argument_message([&] { Hde::Curvature_metric(2, bounds); }), "Metric_bounds::gradation is 1"));
   bounds = Hde::Metric_bounds();
   bounds.shortest_edge = 0.5;
   CHECK_THROWS(Hde::Adaptive_normal_embedding(bounds), std::invalid_argument);

@@ -498,12 +498,12 @@ int main()
         test_kernel_sum(kernel);
         test_local_interpolant(kernel);
       });
-  test_shape_parameter<CGAL::Gaussian_rbf>("width");
-  test_shape_parameter<CGAL::Multiquadric_rbf>("width");
-  test_shape_parameter<CGAL::Inverse_multiquadric_rbf>("width");
-  test_shape_parameter<CGAL::Wendland_C2_rbf>("support_radius");
-  test_shape_parameter<CGAL::Wendland_C4_rbf>("support_radius");
-  test_shape_parameter<CGAL::Wendland_C6_rbf>("support_radius");
+  test_shape_parameter<CGAL::Gaussian_rbf>("width of the radial function");
+  test_shape_parameter<CGAL::Multiquadric_rbf>("width of the radial function");
+  test_shape_parameter<CGAL::Inverse_multiquadric_rbf>("width of the radial function");
+  test_shape_parameter<CGAL::Wendland_C2_rbf>("support_radius of the radial function");
+  test_shape_parameter<CGAL::Wendland_C4_rbf>("support_radius of the radial function");
+  test_shape_parameter<CGAL::Wendland_C6_rbf>("support_radius of the radial function");
   test_smooth_distance();
   return check_summary();
 }

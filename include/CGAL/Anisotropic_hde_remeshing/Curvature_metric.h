@@ -49,13 +49,13 @@ public:
 
   explicit Metric_embedding(const Metric_bounds& bounds) : m_bounds(bounds)
   {
-    checked_between("shortest_edge", bounds.shortest_edge, 0, 1);
-    checked_positive("longest_edge", bounds.longest_edge);
+    checked_between("Metric_bounds::shortest_edge", bounds.shortest_edge, 0, 1);
+    checked_positive("Metric_bounds::longest_edge", bounds.longest_edge);
     if (!(bounds.shortest_edge < bounds.longest_edge))
-      throw_invalid_argument("longest_edge", bounds.longest_edge, "longer than shortest_edge");
-    checked_positive("turn", bounds.turn);
+      throw_invalid_argument("Metric_bounds::longest_edge", bounds.longest_edge, "longer than shortest_edge");
+    checked_positive("Metric_bounds::turn", bounds.turn);
     if (!(bounds.gradation > 1))
-      throw_invalid_argument("gradation", bounds.gradation, "above 1");
+      throw_invalid_argument("Metric_bounds::gradation", bounds.gradation, "above 1");
   }
 
   double shortest_edge() const { return m_bounds.shortest_edge; }
@@ -147,7 +147,7 @@ public:
   explicit Curvature_metric(const double p = 2, const Metric_bounds& bounds = Metric_bounds()) : Base(bounds), m_p(p)
   {
     if (!(p >= 1))
-      internal::throw_invalid_argument("p", p, "from 1 to infinity");
+      internal::throw_invalid_argument("p of Curvature_metric", p, "from 1 to infinity");
   }
 
   double p() const { return m_p; }

@@ -14,6 +14,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/Closest_facet.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/measures/Measured_mesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/named_parameters.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameter_types.h>
 
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
@@ -50,16 +51,14 @@ public:
   Interpolated_vertex_field(const TriangleMesh& tmesh, const VertexValueMap& values,
                             const NamedParameters& np = parameters::default_values())
   {
-    auto data = std::make_shared<Data>();
-    internal::Measured_mesh mesh = internal::read_measured_mesh(tmesh, np);
-    data->points = std::move(mesh.points);
-    data->facets = std::move(mesh.faces);
-    for (const auto v : vertices(tmesh))
-      if (halfedge(v, tmesh) != boost::graph_traits<TriangleMesh>::null_halfedge()) // as the points are
-        data->values.push_back(to_double(get(values, v)));
-    if (data->closest_facet.empty())
-      throw std::invalid_argument("the mesh has no face that is not degenerate, which a field needs");
-    m_data = std::move(data);
+    if constexpr (internal::accepts_measurement<TriangleMesh, NamedParameters>())
+    {
+      constexpr bool has_numbers =
+          internal::is_number<internal::Value_of_map<VertexValueMap, internal::Vertex_of<TriangleMesh>>>;
+      static_assert(has_numbers, "values must be a property map from the vertices of the mesh to numbers");
+      if constexpr (has_numbers)
+        read(tmesh, values, np);
+    }
   }
 
   template <typename Point>
@@ -81,6 +80,21 @@ private:
     std::vector<double> values;
     internal::Closest_facet closest_facet{points, facets};
   };
+
+  template <typename TriangleMesh, typename VertexValueMap, typename NamedParameters>
+  void read(const TriangleMesh& tmesh, const VertexValueMap& values, const NamedParameters& np)
+  {
+    auto data = std::make_shared<Data>();
+    internal::Measured_mesh mesh = internal::read_measured_mesh(tmesh, np);
+    data->points = std::move(mesh.points);
+    data->facets = std::move(mesh.faces);
+    for (const auto v : vertices(tmesh))
+      if (halfedge(v, tmesh) != boost::graph_traits<TriangleMesh>::null_halfedge()) // as the points are
+        data->values.push_back(to_double(get(values, v)));
+    if (data->closest_facet.empty())
+      throw std::invalid_argument("the mesh has no face that is not degenerate, which a field needs");
+    m_data = std::move(data);
+  }
 
   std::shared_ptr<const Data> m_data;
 };

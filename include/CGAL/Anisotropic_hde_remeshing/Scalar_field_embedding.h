@@ -44,6 +44,19 @@ struct Field_dimension<T, std::void_t<decltype(std::tuple_size<T>::value)>>
 {
 };
 
+// what a field returns; of what is no field, a number
+template <typename Field, typename Point, typename = void>
+struct Field_result
+{
+  typedef double type;
+};
+
+template <typename Field, typename Point>
+struct Field_result<Field, Point, std::void_t<decltype(std::declval<const Field&>()(std::declval<const Point&>()))>>
+{
+  typedef std::decay_t<decltype(std::declval<const Field&>()(std::declval<const Point&>()))> type;
+};
+
 } // namespace internal
 
 /*!
@@ -65,7 +78,7 @@ which it varies: a small edge of direction \f$ t \f$ has the squared length
 template <typename Point, typename Field>
 class Scalar_field_embedding
 {
-  typedef std::decay_t<decltype(std::declval<const Field&>()(std::declval<const Point&>()))> Result;
+  typedef typename internal::Field_result<Field, Point>::type Result;
   static constexpr int dimension = internal::Field_dimension<Result>::value;
   typedef Eigen::Matrix<double, dimension, 1> Values;
 
@@ -81,8 +94,13 @@ public:
   /// \param field the field
   /// \throw std::invalid_argument if `sigma` or `tau` is negative or not finite
   Scalar_field_embedding(const double sigma, const double tau, const Field& field)
-    : m_normals(sigma), m_tau(internal::checked_not_negative("tau", tau)), m_squared_tau(tau * tau), m_field(field)
+    : m_normals(sigma),
+      m_tau(internal::checked_not_negative("tau of Scalar_field_embedding", tau)),
+      m_squared_tau(tau * tau),
+      m_field(field)
   {
+    static_assert(std::is_invocable<const Field&, const Point&>::value,
+                  "the field must be a function object that takes a point");
   }
 
   double sigma() const { return m_normals.sigma(); }

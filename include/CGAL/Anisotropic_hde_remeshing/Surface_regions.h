@@ -13,6 +13,7 @@
 
 #include <CGAL/Anisotropic_hde_remeshing/internal/check_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/named_parameters.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameter_types.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/Face_directions.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/extend_darts.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/prune_creases.h>
@@ -45,6 +46,22 @@ struct Surface_regions
 };
 
 namespace internal {
+
+// whether the types will do; says what is wrong if they will not
+template <typename TriangleMesh, typename EdgeIsCreaseMap, typename FaceRegionMap, typename NamedParameters>
+constexpr bool accepts_region_detection()
+{
+  if constexpr (!accepts_mesh<TriangleMesh>())
+    return false;
+  else
+  {
+    constexpr bool marks_edges = is_writable_map<EdgeIsCreaseMap, Edge_of<TriangleMesh>, bool>;
+    static_assert(marks_edges, "edge_is_crease must be a writable property map from the edges of the mesh to bool");
+    constexpr bool numbers_faces = is_writable_map<FaceRegionMap, Face_of<TriangleMesh>, std::size_t>;
+    static_assert(numbers_faces, "face_region must be a writable property map from the faces of the mesh to std::size_t");
+    return marks_edges && numbers_faces && accepts_parameters<Parameters_of_regions, TriangleMesh, NamedParameters>();
+  }
+}
 
 // the sharp angle in degrees, 0 if none is given
 template <typename NamedParameters>
@@ -223,35 +240,41 @@ template <typename TriangleMesh, typename EdgeIsCreaseMap, typename FaceRegionMa
 Surface_regions detect_surface_regions(const TriangleMesh& tmesh, EdgeIsCreaseMap edge_is_crease, FaceRegionMap face_region,
                                        const NamedParameters& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  const double angle = internal::sharp_angle_parameter(np);
-  const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tmesh));
-  internal::check_points(tmesh, vpm);
-  const auto is_crease = get(dynamic_edge_property_t<bool>(), tmesh);
-  const auto region = get(dynamic_face_property_t<std::size_t>(), tmesh);
-  Surface_regions result;
-  internal::mark_edges_of_caller(tmesh, np, is_crease);
-  if (angle > 0)
+  if constexpr (!internal::accepts_region_detection<TriangleMesh, EdgeIsCreaseMap, FaceRegionMap, NamedParameters>())
+    return Surface_regions();
+  else
   {
-    const internal::Face_directions<TriangleMesh, std::decay_t<decltype(vpm)>> directions(tmesh, vpm);
-    const auto sharp = internal::mark_sharp_edges(tmesh, angle, np, directions, is_crease);
-    const std::size_t n = internal::number_regions(tmesh, is_crease, region);
-    result.number_of_joined_specks =
-        internal::Crease_pruning<TriangleMesh, std::decay_t<decltype(vpm)>>(tmesh, directions)(region, n, sharp, is_crease);
-    for (const auto e : sharp)
-      result.number_of_dropped_edges += get(is_crease, e) ? 0 : 1;
-    result.number_of_extension_edges = internal::extend_darts(tmesh, directions, angle, sharp, region, is_crease);
+    using parameters::choose_parameter;
+    using parameters::get_parameter;
+    const double angle = internal::sharp_angle_parameter(np);
+    const auto vpm =
+        choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tmesh));
+    internal::check_points(tmesh, vpm);
+    const auto is_crease = get(dynamic_edge_property_t<bool>(), tmesh);
+    const auto region = get(dynamic_face_property_t<std::size_t>(), tmesh);
+    Surface_regions result;
+    internal::mark_edges_of_caller(tmesh, np, is_crease);
+    if (angle > 0)
+    {
+      const internal::Face_directions<TriangleMesh, std::decay_t<decltype(vpm)>> directions(tmesh, vpm);
+      const auto sharp = internal::mark_sharp_edges(tmesh, angle, np, directions, is_crease);
+      const std::size_t n = internal::number_regions(tmesh, is_crease, region);
+      result.number_of_joined_specks =
+          internal::Crease_pruning<TriangleMesh, std::decay_t<decltype(vpm)>>(tmesh, directions)(region, n, sharp, is_crease);
+      for (const auto e : sharp)
+        result.number_of_dropped_edges += get(is_crease, e) ? 0 : 1;
+      result.number_of_extension_edges = internal::extend_darts(tmesh, directions, angle, sharp, region, is_crease);
+    }
+    result.number_of_regions = internal::number_regions(tmesh, is_crease, region);
+    for (const auto e : edges(tmesh))
+    {
+      put(edge_is_crease, e, get(is_crease, e));
+      result.number_of_crease_edges += get(is_crease, e) ? 1 : 0;
+    }
+    for (const auto f : faces(tmesh))
+      put(face_region, f, get(region, f));
+    return result;
   }
-  result.number_of_regions = internal::number_regions(tmesh, is_crease, region);
-  for (const auto e : edges(tmesh))
-  {
-    put(edge_is_crease, e, get(is_crease, e));
-    result.number_of_crease_edges += get(is_crease, e) ? 1 : 0;
-  }
-  for (const auto f : faces(tmesh))
-    put(face_region, f, get(region, f));
-  return result;
 }
 
 } // namespace Anisotropic_hde_remeshing

@@ -80,41 +80,46 @@ Alignment_measures measure_alignment(const TriangleMesh& tmesh, const Function& 
                                      const NamedParameters& np = parameters::default_values(),
                                      const double smallest_ratio = 1.5)
 {
-  static constexpr double not_counted = -1;
-  static constexpr double relative_step = 1e-3; // of the shortest edge
-  const internal::Measured_mesh mesh = internal::read_measured_mesh_of(f, tmesh, np);
-  std::vector<double> angles(mesh.faces.size(), not_counted);
-  internal::parallel_for<ConcurrencyTag>(
-      angles.size(),
-      [&](const std::size_t i)
-      {
-        const internal::Vector &a = mesh.points[mesh.faces[i][0]], &b = mesh.points[mesh.faces[i][1]],
-                               &c = mesh.points[mesh.faces[i][2]];
-        if (mesh.is_degenerate[i])
-          return;
-        const internal::Stretch stretch(a, b, c);
-        if (!(stretch.ratio >= smallest_ratio))
-          return;
-        const double step =
-            relative_step * std::sqrt((std::min)({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
-        const internal::Curvature_by_differences curvature(internal::piece(f, mesh.face_regions[i]), (a + b + c) / 3, step);
-        if (curvature.steeper != 0 && std::abs(curvature.steeper) >= smallest_ratio * std::abs(curvature.flatter))
-          angles[i] = std::acos((std::min)(std::abs(stretch.direction.dot(curvature.flatter_direction)), 1.)) * 180 / CGAL_PI;
-      });
-  Alignment_measures measures;
-  for (const double angle : angles)
-    if (angle >= 0)
-    {
-      ++measures.number_of_faces;
-      measures.angle_mean += angle;
-      measures.share_within_15_degrees += angle <= 15 ? 1 : 0;
-    }
-  if (measures.number_of_faces > 0)
+  if constexpr (!internal::accepts_measurement<TriangleMesh, Function, NamedParameters>())
+    return Alignment_measures();
+  else
   {
-    measures.angle_mean /= double(measures.number_of_faces);
-    measures.share_within_15_degrees /= double(measures.number_of_faces);
+    static constexpr double not_counted = -1;
+    static constexpr double relative_step = 1e-3; // of the shortest edge
+    const internal::Measured_mesh mesh = internal::read_measured_mesh_of(f, tmesh, np);
+    std::vector<double> angles(mesh.faces.size(), not_counted);
+    internal::parallel_for<ConcurrencyTag>(
+        angles.size(),
+        [&](const std::size_t i)
+        {
+          const internal::Vector &a = mesh.points[mesh.faces[i][0]], &b = mesh.points[mesh.faces[i][1]],
+                                 &c = mesh.points[mesh.faces[i][2]];
+          if (mesh.is_degenerate[i])
+            return;
+          const internal::Stretch stretch(a, b, c);
+          if (!(stretch.ratio >= smallest_ratio))
+            return;
+          const double step =
+              relative_step * std::sqrt((std::min)({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
+          const internal::Curvature_by_differences curvature(internal::piece(f, mesh.face_regions[i]), (a + b + c) / 3, step);
+          if (curvature.steeper != 0 && std::abs(curvature.steeper) >= smallest_ratio * std::abs(curvature.flatter))
+            angles[i] = std::acos((std::min)(std::abs(stretch.direction.dot(curvature.flatter_direction)), 1.)) * 180 / CGAL_PI;
+        });
+    Alignment_measures measures;
+    for (const double angle : angles)
+      if (angle >= 0)
+      {
+        ++measures.number_of_faces;
+        measures.angle_mean += angle;
+        measures.share_within_15_degrees += angle <= 15 ? 1 : 0;
+      }
+    if (measures.number_of_faces > 0)
+    {
+      measures.angle_mean /= double(measures.number_of_faces);
+      measures.share_within_15_degrees /= double(measures.number_of_faces);
+    }
+    return measures;
   }
-  return measures;
 }
 
 } // namespace Anisotropic_hde_remeshing

@@ -77,51 +77,56 @@ template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typen
 Approximation_bounds approximation_bounds(const TriangleMesh& tmesh, const Function& f,
                                           const NamedParameters& np = parameters::default_values())
 {
-  static constexpr double relative_step = 1e-3; // of the shortest edge
-  static constexpr double elliptic = 0.298142, elliptic_off_surface = 0.0745356, hyperbolic = 0.1054;
-  static constexpr double elliptic_max = 0.3849002, hyperbolic_max = 0.2236068;
-
-  const internal::Measured_mesh mesh = internal::read_measured_mesh_of(f, tmesh, np);
-  const std::size_t n = mesh.faces.size();
-  std::vector<double> areas(n, 0.), gauss_curvatures(n, 0.);
-  internal::parallel_for<ConcurrencyTag>(
-      n,
-      [&](const std::size_t i)
-      {
-        const internal::Vector &a = mesh.points[mesh.faces[i][0]], &b = mesh.points[mesh.faces[i][1]],
-                               &c = mesh.points[mesh.faces[i][2]];
-        areas[i] = 0.5 * mesh.normal(i).norm();
-        if (mesh.is_degenerate[i])
-          return;
-        const double step =
-            relative_step * std::sqrt((std::min)({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
-        const internal::Curvature_by_differences curvature(internal::piece(f, mesh.face_regions[i]), (a + b + c) / 3, step);
-        gauss_curvatures[i] = curvature.flatter * curvature.steeper;
-      });
-
-  double area = 0;
-  Approximation_bounds integrals;
-  for (std::size_t i = 0; i < n; ++i)
+  if constexpr (!internal::accepts_measurement<TriangleMesh, Function, NamedParameters>())
+    return Approximation_bounds();
+  else
   {
-    const double gauss = gauss_curvatures[i], absolute = std::abs(gauss);
-    const auto add_rms = [&](double& sum, const double c) { sum += areas[i] * std::cbrt(c * c * absolute); };
-    area += areas[i];
-    add_rms(integrals.rms_on_surface, gauss > 0 ? elliptic : hyperbolic);
-    add_rms(integrals.rms_off_surface, gauss > 0 ? elliptic_off_surface : hyperbolic);
-    const double root = areas[i] * std::sqrt(absolute);
-    integrals.max_on_surface += root * (gauss > 0 ? elliptic_max : hyperbolic_max);
-    integrals.max_off_surface += root * (gauss > 0 ? elliptic_max / 2 : hyperbolic_max);
-  }
-  Approximation_bounds result;
-  result.number_of_faces = n;
-  if (n == 0 || !(area > 0))
+    static constexpr double relative_step = 1e-3; // of the shortest edge
+    static constexpr double elliptic = 0.298142, elliptic_off_surface = 0.0745356, hyperbolic = 0.1054;
+    static constexpr double elliptic_max = 0.3849002, hyperbolic_max = 0.2236068;
+
+    const internal::Measured_mesh mesh = internal::read_measured_mesh_of(f, tmesh, np);
+    const std::size_t n = mesh.faces.size();
+    std::vector<double> areas(n, 0.), gauss_curvatures(n, 0.);
+    internal::parallel_for<ConcurrencyTag>(
+        n,
+        [&](const std::size_t i)
+        {
+          const internal::Vector &a = mesh.points[mesh.faces[i][0]], &b = mesh.points[mesh.faces[i][1]],
+                                 &c = mesh.points[mesh.faces[i][2]];
+          areas[i] = 0.5 * mesh.normal(i).norm();
+          if (mesh.is_degenerate[i])
+            return;
+          const double step =
+              relative_step * std::sqrt((std::min)({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
+          const internal::Curvature_by_differences curvature(internal::piece(f, mesh.face_regions[i]), (a + b + c) / 3, step);
+          gauss_curvatures[i] = curvature.flatter * curvature.steeper;
+        });
+
+    double area = 0;
+    Approximation_bounds integrals;
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      const double gauss = gauss_curvatures[i], absolute = std::abs(gauss);
+      const auto add_rms = [&](double& sum, const double c) { sum += areas[i] * std::cbrt(c * c * absolute); };
+      area += areas[i];
+      add_rms(integrals.rms_on_surface, gauss > 0 ? elliptic : hyperbolic);
+      add_rms(integrals.rms_off_surface, gauss > 0 ? elliptic_off_surface : hyperbolic);
+      const double root = areas[i] * std::sqrt(absolute);
+      integrals.max_on_surface += root * (gauss > 0 ? elliptic_max : hyperbolic_max);
+      integrals.max_off_surface += root * (gauss > 0 ? elliptic_max / 2 : hyperbolic_max);
+    }
+    Approximation_bounds result;
+    result.number_of_faces = n;
+    if (n == 0 || !(area > 0))
+      return result;
+    const auto rms = [&](const double integral) { return integral * std::sqrt(integral / area) / double(n); };
+    result.rms_on_surface = rms(integrals.rms_on_surface);
+    result.rms_off_surface = rms(integrals.rms_off_surface);
+    result.max_on_surface = integrals.max_on_surface / double(n);
+    result.max_off_surface = integrals.max_off_surface / double(n);
     return result;
-  const auto rms = [&](const double integral) { return integral * std::sqrt(integral / area) / double(n); };
-  result.rms_on_surface = rms(integrals.rms_on_surface);
-  result.rms_off_surface = rms(integrals.rms_off_surface);
-  result.max_on_surface = integrals.max_on_surface / double(n);
-  result.max_off_surface = integrals.max_off_surface / double(n);
-  return result;
+  }
 }
 
 } // namespace Anisotropic_hde_remeshing

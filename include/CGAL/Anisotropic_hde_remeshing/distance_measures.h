@@ -100,6 +100,7 @@ does another number of threads.
 (the number of points sampled on the faces of each of the two meshes, by default 200,000)
 \param np2 optional named parameters for `tmesh2`: `vertex_point_map` and `geom_traits`
 
+\throw std::invalid_argument if `number_of_points_on_faces` is less than 1
 \pre both are triangle meshes and have a face
 */
 template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh1, typename TriangleMesh2,
@@ -109,26 +110,28 @@ Distance_measures measure_distance(const TriangleMesh1& tmesh1, const TriangleMe
                                    const NamedParameters1& np1 = parameters::default_values(),
                                    const NamedParameters2& np2 = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
+  if constexpr (!internal::accepts_measurement<TriangleMesh1, NamedParameters1>() ||
+                !internal::accepts_measurement<TriangleMesh2, NamedParameters2>())
+    return Distance_measures();
+  else
+  {
+    CGAL_precondition_msg(faces(tmesh1).first != faces(tmesh1).second && faces(tmesh2).first != faces(tmesh2).second,
+                          "there is no distance to a mesh without faces");
+    const std::size_t number_of_samples = internal::number_of_samples_parameter(np1);
+    const internal::Distance_to_mesh<TriangleMesh1, NamedParameters1> to_first(tmesh1, np1);
+    const internal::Distance_to_mesh<TriangleMesh2, NamedParameters2> to_second(tmesh2, np2);
+    const internal::Rms_and_max from_first =
+        internal::rms_and_max_from<ConcurrencyTag>(internal::read_measured_mesh(tmesh1, np1), number_of_samples, to_second);
+    const internal::Rms_and_max from_second =
+        internal::rms_and_max_from<ConcurrencyTag>(internal::read_measured_mesh(tmesh2, np2), number_of_samples, to_first);
 
-  CGAL_precondition_msg(faces(tmesh1).first != faces(tmesh1).second && faces(tmesh2).first != faces(tmesh2).second,
-                        "there is no distance to a mesh without faces");
-  const std::size_t number_of_samples = static_cast<std::size_t>(
-      choose_parameter(get_parameter(np1, internal_np::number_of_points_on_faces), std::size_t(200000)));
-  const internal::Distance_to_mesh<TriangleMesh1, NamedParameters1> to_first(tmesh1, np1);
-  const internal::Distance_to_mesh<TriangleMesh2, NamedParameters2> to_second(tmesh2, np2);
-  const internal::Rms_and_max from_first =
-      internal::rms_and_max_from<ConcurrencyTag>(internal::read_measured_mesh(tmesh1, np1), number_of_samples, to_second);
-  const internal::Rms_and_max from_second =
-      internal::rms_and_max_from<ConcurrencyTag>(internal::read_measured_mesh(tmesh2, np2), number_of_samples, to_first);
-
-  Distance_measures measures;
-  measures.rms_from_first = from_first.rms;
-  measures.max_from_first = from_first.max;
-  measures.rms_from_second = from_second.rms;
-  measures.max_from_second = from_second.max;
-  return measures;
+    Distance_measures measures;
+    measures.rms_from_first = from_first.rms;
+    measures.max_from_first = from_first.max;
+    measures.rms_from_second = from_second.rms;
+    measures.max_from_second = from_second.max;
+    return measures;
+  }
 }
 
 } // namespace Anisotropic_hde_remeshing

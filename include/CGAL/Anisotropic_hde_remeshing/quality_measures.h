@@ -12,6 +12,7 @@
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
 #include <CGAL/Anisotropic_hde_remeshing/Measures.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/check_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/evaluation.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/folded_edge.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/measures/Measured_mesh.h>
@@ -189,28 +190,33 @@ double aspect_ratio(const Point_3& p, const Point_3& q, const Point_3& r)
 template <typename TriangleMesh, typename NamedParameters = parameters::Default_named_parameters>
 Topology_measures measure_topology(const TriangleMesh& tmesh, const NamedParameters& np = parameters::default_values())
 {
-  const internal::Measured_mesh mesh = internal::read_measured_mesh(tmesh, np);
-  Topology_measures measures;
-  measures.number_of_vertices = mesh.points.size();
-  measures.number_of_isolated_vertices = mesh.number_of_isolated_vertices;
-  measures.number_of_edges = mesh.edges.size();
-  measures.number_of_faces = mesh.faces.size();
-  measures.number_of_boundary_edges = mesh.number_of_boundary_edges;
-  measures.number_of_boundary_loops = mesh.number_of_boundary_loops;
-  measures.number_of_components = internal::number_of_components(mesh);
-  measures.euler_characteristic =
-      static_cast<std::ptrdiff_t>(mesh.points.size() + mesh.faces.size()) - static_cast<std::ptrdiff_t>(mesh.edges.size());
-  std::size_t number_of_valence_6 = 0;
-  for (std::size_t v = 0; v < mesh.points.size(); ++v)
-    if (!mesh.is_on_boundary[v])
-    {
-      ++measures.number_of_interior_vertices;
-      number_of_valence_6 += mesh.valences[v] == 6 ? 1 : 0;
-    }
-  if (measures.number_of_interior_vertices > 0)
-    measures.valence_6_share =
-        static_cast<double>(number_of_valence_6) / static_cast<double>(measures.number_of_interior_vertices);
-  return measures;
+  if constexpr (!internal::accepts_measurement<TriangleMesh, NamedParameters>())
+    return Topology_measures();
+  else
+  {
+    const internal::Measured_mesh mesh = internal::read_measured_mesh(tmesh, np);
+    Topology_measures measures;
+    measures.number_of_vertices = mesh.points.size();
+    measures.number_of_isolated_vertices = mesh.number_of_isolated_vertices;
+    measures.number_of_edges = mesh.edges.size();
+    measures.number_of_faces = mesh.faces.size();
+    measures.number_of_boundary_edges = mesh.number_of_boundary_edges;
+    measures.number_of_boundary_loops = mesh.number_of_boundary_loops;
+    measures.number_of_components = internal::number_of_components(mesh);
+    measures.euler_characteristic =
+        static_cast<std::ptrdiff_t>(mesh.points.size() + mesh.faces.size()) - static_cast<std::ptrdiff_t>(mesh.edges.size());
+    std::size_t number_of_valence_6 = 0;
+    for (std::size_t v = 0; v < mesh.points.size(); ++v)
+      if (!mesh.is_on_boundary[v])
+      {
+        ++measures.number_of_interior_vertices;
+        number_of_valence_6 += mesh.valences[v] == 6 ? 1 : 0;
+      }
+    if (measures.number_of_interior_vertices > 0)
+      measures.valence_6_share =
+          static_cast<double>(number_of_valence_6) / static_cast<double>(measures.number_of_interior_vertices);
+    return measures;
+  }
 }
 
 /*!
@@ -229,29 +235,34 @@ Topology_measures measure_topology(const TriangleMesh& tmesh, const NamedParamet
 template <typename TriangleMesh, typename NamedParameters = parameters::Default_named_parameters>
 Shape_measures measure_shape(const TriangleMesh& tmesh, const NamedParameters& np = parameters::default_values())
 {
-  const internal::Measured_mesh mesh = internal::read_measured_mesh(tmesh, np);
-  Shape_measures measures;
-  measures.number_of_folded_edges = internal::number_of_folded_edges(mesh);
-  std::vector<double> ratios(mesh.faces.size(), std::numeric_limits<double>::infinity());
-  double sum = 0;
-  for (std::size_t f = 0; f < ratios.size(); ++f)
+  if constexpr (!internal::accepts_measurement<TriangleMesh, NamedParameters>())
+    return Shape_measures();
+  else
   {
-    const std::array<std::size_t, 3>& v = mesh.faces[f];
-    if (!mesh.is_degenerate[f])
-      ratios[f] = internal::aspect_ratio(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]]);
-    if (std::isfinite(ratios[f]))
-      sum += ratios[f];
-    else
-      ++measures.number_of_degenerate_faces;
-  }
-  if (ratios.empty())
+    const internal::Measured_mesh mesh = internal::read_measured_mesh(tmesh, np);
+    Shape_measures measures;
+    measures.number_of_folded_edges = internal::number_of_folded_edges(mesh);
+    std::vector<double> ratios(mesh.faces.size(), std::numeric_limits<double>::infinity());
+    double sum = 0;
+    for (std::size_t f = 0; f < ratios.size(); ++f)
+    {
+      const std::array<std::size_t, 3>& v = mesh.faces[f];
+      if (!mesh.is_degenerate[f])
+        ratios[f] = internal::aspect_ratio(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]]);
+      if (std::isfinite(ratios[f]))
+        sum += ratios[f];
+      else
+        ++measures.number_of_degenerate_faces;
+    }
+    if (ratios.empty())
+      return measures;
+    const std::size_t number_of_finite = ratios.size() - measures.number_of_degenerate_faces;
+    std::sort(ratios.begin(), ratios.end());
+    measures.aspect_ratio_mean = number_of_finite > 0 ? sum / static_cast<double>(number_of_finite) : ratios.back();
+    measures.aspect_ratio_p99 = ratios[(ratios.size() * 99) / 100];
+    measures.aspect_ratio_max = ratios.back();
     return measures;
-  const std::size_t number_of_finite = ratios.size() - measures.number_of_degenerate_faces;
-  std::sort(ratios.begin(), ratios.end());
-  measures.aspect_ratio_mean = number_of_finite > 0 ? sum / static_cast<double>(number_of_finite) : ratios.back();
-  measures.aspect_ratio_p99 = ratios[(ratios.size() * 99) / 100];
-  measures.aspect_ratio_max = ratios.back();
-  return measures;
+  }
 }
 
 /*!
@@ -271,8 +282,9 @@ gradients at its three vertices.
 \param f the implicit function, its gradient pointing to the side the faces look to
 \param np optional named parameters: `vertex_point_map`, `geom_traits`, `sigma` (the weight of the normals, in the unit
 of the mesh; by default 0.01 of the diagonal of its bounding box) and `target_edge_length` (the length `l` that the
-shares of edges refer to; by default the geometric mean of the 6D lengths)
+shares of edges refer to; by default, and if it is 0, the geometric mean of the 6D lengths)
 
+\throw std::invalid_argument if `sigma` or `target_edge_length` is negative or not finite
 \pre `is_triangle_mesh(tmesh)`
 */
 template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename Function,
@@ -280,17 +292,24 @@ template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typen
 Embedding_measures measure_embedding(const TriangleMesh& tmesh, const Function& f,
                                      const NamedParameters& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
+  if constexpr (!internal::accepts_measurement<TriangleMesh, Function, NamedParameters>())
+    return Embedding_measures();
+  else
+  {
+    using parameters::choose_parameter;
+    using parameters::get_parameter;
 
-  const internal::Measured_mesh mesh = internal::read_measured_mesh_of(f, tmesh, np);
-  Embedding_measures measures;
-  measures.sigma = to_double(choose_parameter(get_parameter(np, internal_np::sigma), 0.01 * mesh.diagonal()));
-  measures.target_edge_length = to_double(choose_parameter(get_parameter(np, internal_np::target_edge_length), 0.));
-  const internal::Embedded_mesh embedded{mesh, internal::unit_normals<ConcurrencyTag>(mesh, f), measures.sigma};
-  internal::measure_edges(embedded, measures);
-  internal::measure_faces(embedded, measures);
-  return measures;
+    const internal::Measured_mesh mesh = internal::read_measured_mesh_of(f, tmesh, np);
+    Embedding_measures measures;
+    measures.sigma = internal::checked_not_negative(
+        "sigma", to_double(choose_parameter(get_parameter(np, internal_np::sigma), 0.01 * mesh.diagonal())));
+    measures.target_edge_length = internal::checked_not_negative(
+        "target_edge_length", to_double(choose_parameter(get_parameter(np, internal_np::target_edge_length), 0.)));
+    const internal::Embedded_mesh embedded{mesh, internal::unit_normals<ConcurrencyTag>(mesh, f), measures.sigma};
+    internal::measure_edges(embedded, measures);
+    internal::measure_faces(embedded, measures);
+    return measures;
+  }
 }
 
 } // namespace Anisotropic_hde_remeshing

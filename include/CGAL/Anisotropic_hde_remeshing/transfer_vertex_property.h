@@ -13,6 +13,7 @@
 
 #include <CGAL/Anisotropic_hde_remeshing/Input_location.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/check_parameters.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameter_types.h>
 
 #include <CGAL/IO/Color.h>
 #include <CGAL/Origin.h>
@@ -106,6 +107,44 @@ std::vector<typename boost::graph_traits<Mesh>::halfedge_descriptor> first_halfe
   return result;
 }
 
+// whether the maps will do; says what is wrong if they will not
+template <typename InputMesh, typename InputPropertyMap, typename OutputMesh, typename VertexLocationMap,
+          typename OutputPropertyMap>
+constexpr bool accepts_transfer()
+{
+  typedef Value_of_map<InputPropertyMap, Vertex_of<InputMesh>> Value;
+  constexpr bool has_input = is_readable_map<InputPropertyMap, Vertex_of<InputMesh>>;
+  static_assert(has_input, "input_property must be a property map with the vertices of the input as keys");
+  constexpr bool has_locations =
+      std::is_convertible<Value_of_map<VertexLocationMap, Vertex_of<OutputMesh>>, Input_location>::value;
+  static_assert(has_locations, "vertex_location must be a property map from the vertices of the output to Input_location");
+  constexpr bool has_output = !has_input || is_writable_map<OutputPropertyMap, Vertex_of<OutputMesh>, Value>;
+  static_assert(has_output, "output_property must be a writable property map from the vertices of the output to the values of "
+                            "input_property");
+  return has_input && has_locations && has_output;
+}
+
+template <typename InputMesh, typename InputPropertyMap, typename OutputMesh, typename VertexLocationMap,
+          typename OutputPropertyMap, typename Interpolation>
+void transfer_vertex_values(const InputMesh& input, const InputPropertyMap input_property, const OutputMesh& output,
+                            const VertexLocationMap vertex_location, OutputPropertyMap output_property,
+                            const Interpolation& interpolation)
+{
+  typedef std::decay_t<decltype(get(input_property, *vertices(input).begin()))> Value;
+  const auto first_halfedges = internal::first_halfedges(input);
+  for (const auto v : vertices(output))
+  {
+    const Input_location location = get(vertex_location, v);
+    if (location.face >= first_halfedges.size())
+      throw_invalid_argument("the face of a vertex location", location.face,
+                             "below the number of faces of the input, " + std::to_string(first_halfedges.size()));
+    const auto h = first_halfedges[location.face];
+    const std::array<Value, 3> values{{get(input_property, source(h, input)), get(input_property, target(h, input)),
+                                       get(input_property, target(next(h, input), input))}};
+    put(output_property, v, interpolation(values, location.barycentric_coordinates));
+  }
+}
+
 } // namespace internal
 
 /*!
@@ -138,19 +177,10 @@ void transfer_vertex_property(const InputMesh& input, const InputPropertyMap inp
                               const VertexLocationMap vertex_location, OutputPropertyMap output_property,
                               const Interpolation& interpolation = Interpolation())
 {
-  typedef std::decay_t<decltype(get(input_property, *vertices(input).begin()))> Value;
-  const auto first_halfedges = internal::first_halfedges(input);
-  for (const auto v : vertices(output))
-  {
-    const Input_location location = get(vertex_location, v);
-    if (location.face >= first_halfedges.size())
-      internal::throw_invalid_argument("the face of a vertex location", location.face,
-                                       "below the number of faces of the input, " + std::to_string(first_halfedges.size()));
-    const auto h = first_halfedges[location.face];
-    const std::array<Value, 3> values{{get(input_property, source(h, input)), get(input_property, target(h, input)),
-                                       get(input_property, target(next(h, input), input))}};
-    put(output_property, v, interpolation(values, location.barycentric_coordinates));
-  }
+  constexpr bool are_meshes = internal::accepts_mesh<InputMesh>() && internal::accepts_mesh<OutputMesh>();
+  if constexpr (are_meshes)
+    if constexpr (internal::accepts_transfer<InputMesh, InputPropertyMap, OutputMesh, VertexLocationMap, OutputPropertyMap>())
+      internal::transfer_vertex_values(input, input_property, output, vertex_location, output_property, interpolation);
 }
 
 } // namespace Anisotropic_hde_remeshing

@@ -15,6 +15,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/Surface_distance.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/pieces.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/size_limits.h>
 
 #include <Eigen/Core>
 #include <Eigen/IterativeLinearSolvers>
@@ -24,6 +25,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -135,6 +137,7 @@ private:
                             const std::vector<char>& is_free, const std::vector<Facet>& facets,
                             const std::vector<Region>& regions) const
   {
+    check_number_of_fitted_faces(double(facets.size()));
     std::vector<Contribution> contributions(facets.size());
     parallel_for<ConcurrencyTag>(
         facets.size(),

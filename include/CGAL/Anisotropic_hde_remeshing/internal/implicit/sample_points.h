@@ -14,6 +14,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Point_search.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Surface_sample.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/type_traits.h>
 
 #include <cmath>
 #include <cstddef>
@@ -55,13 +56,14 @@ Surface_sample sample_points(const PointRange& range, const PointMap point_map, 
 {
   Surface_sample sample;
   std::size_t index = 0;
-  for (const auto& item : range)
-  {
-    interruption.check();
-    sample.points.push_back(finite_vector(get(point_map, item), "point", index));
-    sample.normals.push_back(unit_normal(get(normal_map, item), index));
-    ++index;
-  }
+  for_each_of_range(range,
+                    [&](const auto& item)
+                    {
+                      interruption.check();
+                      sample.points.push_back(finite_vector(get(point_map, item), "point", index));
+                      sample.normals.push_back(unit_normal(get(normal_map, item), index));
+                      ++index;
+                    });
   sample.normalization = normalize(sample.points);
   sample.spacings.assign(sample.size(), 0.);
   merge_duplicate_points(sample);

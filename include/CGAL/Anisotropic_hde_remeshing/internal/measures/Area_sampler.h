@@ -11,7 +11,9 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
+#include <CGAL/Anisotropic_hde_remeshing/internal/check_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/measures/Measured_mesh.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/named_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
 
 #include <algorithm>
@@ -23,6 +25,16 @@
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
+
+// `number_of_points_on_faces`
+template <typename NamedParameters>
+std::size_t number_of_samples_parameter(const NamedParameters& np)
+{
+  if constexpr (parameters::is_default_parameter<NamedParameters, internal_np::number_of_points_on_faces_t>::value)
+    return 200000;
+  else
+    return checked_count("number_of_points_on_faces", parameters::get_parameter(np, internal_np::number_of_points_on_faces));
+}
 
 // The i-th of n points spread evenly over the area of a mesh. No random numbers: the same points on every machine, and
 // any thread can ask for any of them.

@@ -11,9 +11,11 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
+#include <CGAL/Anisotropic_hde_remeshing/internal/aspect_ratio.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/folded_edge.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Jet.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/named_parameters.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameter_types.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/pieces.h>
 
 #include <CGAL/assertions.h>
@@ -253,26 +255,23 @@ Measured_mesh read_measured_mesh_of(const Function&, const TriangleMesh& tmesh, 
     return read_measured_mesh(tmesh, np);
 }
 
-// R / (2 r) of a triangle of three points that are not collinear: 1 for the equilateral one
-inline double aspect_ratio(const Vector& p, const Vector& q, const Vector& r)
+// whether a mesh can be measured with these parameters; says what is wrong if it cannot
+template <typename TriangleMesh, typename NamedParameters>
+constexpr bool accepts_measurement()
 {
-  // Edges relative to the longest, so that no product overflows or vanishes whatever the unit of the mesh. The cross
-  // product of the two shorter ones is the one with the least cancellation.
-  std::array<Vector, 3> sides = {q - p, r - q, p - r};
-  const double scale = (std::max)({sides[0].norm(), sides[1].norm(), sides[2].norm()});
-  if (!(scale > 0))
-    return std::numeric_limits<double>::infinity();
-  std::array<double, 3> lengths;
-  for (int i = 0; i < 3; ++i)
-  {
-    sides[i] /= scale;
-    lengths[i] = sides[i].norm();
-  }
-  const int longest = lengths[0] >= lengths[1] ? (lengths[0] >= lengths[2] ? 0 : 2) : (lengths[1] >= lengths[2] ? 1 : 2);
-  const double squared_area_4 = sides[(longest + 1) % 3].cross(sides[(longest + 2) % 3]).squaredNorm(); // 4 A^2
-  if (!(squared_area_4 > 0))
-    return std::numeric_limits<double>::infinity();
-  return lengths[0] * lengths[1] * lengths[2] * (lengths[0] + lengths[1] + lengths[2]) / (4 * squared_area_4);
+  if constexpr (accepts_mesh<TriangleMesh>())
+    return accepts_parameters<Parameters_of_measures, TriangleMesh, NamedParameters>();
+  else
+    return false;
+}
+
+template <typename TriangleMesh, typename Function, typename NamedParameters>
+constexpr bool accepts_measurement()
+{
+  if constexpr (accepts_function<Function>())
+    return accepts_measurement<TriangleMesh, NamedParameters>();
+  else
+    return false;
 }
 
 // the least angle, in degrees, of a triangle given by the squares of its side lengths

@@ -15,6 +15,8 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/Interruption.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Surface_sample.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Working_mesh.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/size_limits.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/type_traits.h>
 
 #include <CGAL/Polygon_mesh_processing/manifoldness.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -68,12 +70,14 @@ public:
   {
   }
 
-  // Throws Interrupted, or std::invalid_argument if the faces are not a manifold mesh of triangles with finite coordinates, or none.
+  // Throws Interrupted, std::invalid_argument if the faces are not a manifold mesh of triangles with finite coordinates, or none,
+  // and std::length_error if there are too many.
   template <typename FaceRange>
   Mesh_origin<TriangleMesh> operator()(const FaceRange& range, Mesh& mesh)
   {
     check_manifold();
     select(range);
+    check_size();
     add_vertices(mesh);
     add_faces(mesh);
     mark_curves(mesh);
@@ -100,8 +104,7 @@ private:
   {
     for (const Face f : faces(m_tmesh))
       put(m_is_selected, f, false);
-    for (const Face f : range)
-      put(m_is_selected, f, true);
+    for_each_of_range(range, [this](const Face f) { put(m_is_selected, f, true); });
     std::size_t position = 0;
     for (const Face f : faces(m_tmesh))
     {
@@ -117,6 +120,18 @@ private:
     }
     if (m_origin.faces.empty())
       throw std::invalid_argument("there are no faces to remesh");
+  }
+
+  // three halfedges a face, and those of the boundary
+  void check_size() const
+  {
+    std::size_t number = 3 * m_origin.faces.size();
+    if (2 * number <= largest_number_of_halfedges)
+      return;
+    for (const Face f : m_origin.faces)
+      for (const Halfedge h : halfedges_around_face(halfedge(f, m_tmesh), m_tmesh))
+        number += is_selected(opposite(h, m_tmesh)) ? 0 : 1;
+    check_number_of_halfedges(number);
   }
 
   bool is_selected(const Halfedge h) const { return !is_border(h, m_tmesh) && get(m_is_selected, face(h, m_tmesh)); }

@@ -17,6 +17,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/check_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/named_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Target_length.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/size_limits.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
@@ -49,18 +50,6 @@ struct Remeshing_parameters
 
 template <typename NamedParameters, typename Name>
 constexpr bool is_given = !parameters::is_default_parameter<NamedParameters, Name>::value;
-
-// what the indices of the mesh that is modified have room for
-constexpr std::size_t largest_number_of_faces = 500000000;
-
-// a number of iterations or steps
-template <typename Number>
-unsigned int checked_repetitions(const char* name, const Number n)
-{
-  if (n < Number(0) || double(n) > 1e6)
-    throw_invalid_argument(name, n, "from 0 to 1000000");
-  return static_cast<unsigned int>(n);
-}
 
 template <typename NamedParameters>
 Remeshing_parameters remeshing_parameters(const NamedParameters& np)
@@ -182,10 +171,13 @@ inline void check_number_of_faces(const Target_length& target, const double unit
 template <typename NamedParameters>
 void check_parameters(const NamedParameters& np)
 {
-  remeshing_parameters(np);
+  const Remeshing_parameters parameters = remeshing_parameters(np);
   embedding_parameter(np, 1);
   error_parameter(np, 1);
-  target_length(np, 1, 1, 1);
+  const Target_length target = target_length(np, 1, 1, 1);
+  if (parameters.fit_to_surface && is_given<NamedParameters, internal_np::number_of_target_faces_t> &&
+      !is_error_given<NamedParameters>)
+    check_number_of_fitted_faces(target.number_of_faces());
 }
 
 // The edges where two regions of the surface meet, or where one has an edge inside, and the regions of the faces.
