@@ -14,6 +14,8 @@
 #include <CGAL/Rbf_implicit_function.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 
+#include <boost/property_map/property_map.hpp>
+
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -22,6 +24,7 @@
 #include <cstdlib>
 #include <iostream>
 #include <limits>
+#include <map>
 #include <new>
 #include <string>
 #include <vector>
@@ -119,6 +122,117 @@ void test_exhaustion()
   check_validity("garbage", input, mesh, Ellipsoid_function());
 }
 
+// A property map that asks for memory when a key is new, behind a std::map that its copies share. What is not in it has a value by
+// default.
+template <typename Key_, typename Value_>
+struct Allocating_map
+{
+  typedef Key_ key_type;
+  typedef Value_ value_type;
+  typedef Value_ reference;
+  typedef boost::read_write_property_map_tag category;
+
+  std::map<Key_, Value_>* values;
+  Value_ default_value;
+
+  friend Value_ get(const Allocating_map& map, const Key_& key)
+  {
+    const auto found = map.values->find(key);
+    return found == map.values->end() ? map.default_value : found->second;
+  }
+  friend void put(const Allocating_map& map, const Key_& key, const Value_& value) { (*map.values)[key] = value; }
+};
+
+// the same for calls whose maps are not parts of the mesh: `values` of the elements of the input are as they were, too
+template <typename Key, typename Value, typename Elements, typename Call>
+void check_exhaustion_with_map(const std::string& name, const Mesh& input, const Value& default_value, const Elements& elements,
+                               const std::map<Key, Value>& values, const Call& call)
+{
+  std::map<Key, Value> written;
+  const Allocating_map<Key, Value> before{const_cast<std::map<Key, Value>*>(&values), default_value};
+  check_exhaustion(name, input,
+                   [&](Mesh& mesh)
+                   {
+                     const long long n = request_that_fails;
+                     request_that_fails = std::numeric_limits<long long>::max();
+                     written = values;
+                     request_that_fails = n;
+                     number_of_requests = 0;
+                     const Allocating_map<Key, Value> map{&written, default_value};
+                     try
+                     {
+                       call(mesh, map);
+                     }
+                     catch (const std::bad_alloc&)
+                     {
+                       request_that_fails = std::numeric_limits<long long>::max();
+                       bool is_as_before = true;
+                       for (const Key key : elements)
+                         is_as_before = is_as_before && get(map, key) == get(before, key);
+                       CHECK(is_as_before);
+                       throw;
+                     }
+                   });
+}
+
+// maps of the caller's, each of which runs out of memory when it is written
+void test_exhausted_maps()
+{
+  const Mesh input = ellipsoid(1);
+  const auto np = CGAL::parameters::number_of_target_faces(200).number_of_iterations(2);
+  const auto remesh = [](Mesh& mesh, const auto& parameters)
+  { CGAL::anisotropic_hde_remeshing(mesh, Ellipsoid_function(), parameters); };
+  typedef Mesh::Vertex_index Vertex;
+  typedef Mesh::Edge_index Edge;
+  typedef Mesh::Face_index Face;
+
+  // protected edges, of which the caller has marked some; all that separate patches are marked in the end
+  std::map<Edge, bool> constrained;
+  std::map<Face, int> patches;
+  for (const Face f : input.faces())
+    patches[f] = input.point(input.target(input.halfedge(f))).x() > 0.1 ? 7 : 3;
+  for (const Edge e : input.edges())
+    if (std::size_t(e) % 20 == 0)
+      constrained[e] = true;
+  const auto patch = [&](Mesh& mesh)
+  {
+    auto map = mesh.add_property_map<Face, int>("f:patch", 0).first;
+    for (const auto& value : patches)
+      map[value.first] = value.second;
+    return map;
+  };
+  check_exhaustion_with_map("edge_is_constrained_map", input, false, input.edges(), constrained,
+                            [&](Mesh& mesh, const auto& map) { remesh(mesh, np.edge_is_constrained_map(map)); });
+  check_exhaustion_with_map(
+      "protected patches", input, false, input.edges(), constrained,
+      [&](Mesh& mesh, const auto& map)
+      { remesh(mesh, np.edge_is_constrained_map(map).protect_constraints(true).face_patch_map(patch(mesh))); });
+  check_exhaustion_with_map("face_patch_map", input, 0, input.faces(), patches,
+                            [&](Mesh& mesh, const auto& map) { remesh(mesh, np.face_patch_map(map)); });
+  std::map<Vertex, Point_3> points;
+  for (const Vertex v : input.vertices())
+    points[v] = input.point(v);
+  for (const bool is_constrained : {false, true})
+    check_exhaustion_with_map("vertex_point_map", input, Point_3(0, 0, 0), input.vertices(), points,
+                              [&](Mesh& mesh, const auto& map)
+                              {
+                                if (is_constrained)
+                                  remesh(mesh, np.vertex_point_map(map).protect_constraints(true));
+                                else
+                                  remesh(mesh, np.vertex_point_map(map));
+                              });
+  bool is_complete = true;
+  check_exhaustion("vertex_location_map", input,
+                   [&](Mesh& mesh)
+                   {
+                     std::map<Vertex, Hde::Input_location> locations;
+                     const Allocating_map<Vertex, Hde::Input_location> map{&locations, {}};
+                     remesh(mesh, np.vertex_location_map(map));
+                     is_complete = is_complete && locations.size() == mesh.number_of_vertices();
+                   });
+  CHECK(is_complete);
+}
+
 // ---------------------------------------------------------------------------------------------------- functions that lie
 
 double noise_of(const Point_3& p)
@@ -178,6 +292,7 @@ void check_survival(const char* name, const Function& function)
 int main()
 {
   test_exhaustion();
+  test_exhausted_maps();
   check_survival("sign", Flickering_function());
   check_survival("jump", Jumping_function());
   check_survival("steep", Steep_function());

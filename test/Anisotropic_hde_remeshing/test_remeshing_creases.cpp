@@ -474,6 +474,31 @@ void test_face_range()
   CHECK(topology_of_regions(mesh).size() == 3);
 }
 
+// protected creases stay edge for edge, and the map tells them as it tells those that do not
+void test_protected_creases()
+{
+  const Mesh input = cube(6);
+  Mesh mesh = input, marked = input;
+  detect(marked, 30);
+  const auto is_crease = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_crease", false).first;
+  CGAL::anisotropic_hde_remeshing<Tag>(
+      mesh,
+      CGAL::parameters::sharp_angle(30).number_of_target_faces(1500).edge_is_constrained_map(is_crease).protect_constraints(
+          true));
+  std::size_t number = 0;
+  for (const Mesh::Edge_index e : input.edges())
+    if (creases_of(marked)[e])
+    {
+      ++number;
+      CHECK(!mesh.is_removed(e) && is_crease[e]);
+    }
+  CHECK(number == 12 * 6);
+  for (const Mesh::Edge_index e : mesh.edges())
+    number -= is_crease[e] ? 1 : 0;
+  CHECK(number == 0);
+  CHECK(mesh.number_of_faces() > 1400);
+}
+
 void test_fixed_vertices()
 {
   const Mesh input = capped_cylinder(32, 16);
@@ -593,6 +618,7 @@ int main()
   test_open_box();
   test_dart();
   test_face_range();
+  test_protected_creases();
   test_fixed_vertices();
   test_stopping();
   test_threads();

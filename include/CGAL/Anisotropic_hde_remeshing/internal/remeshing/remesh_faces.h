@@ -158,12 +158,11 @@ Remeshing_result remesh_faces(const FaceRange& faces, TriangleMesh& tmesh, const
   const bool is_all_replaced = is_whole_mesh && !is_constrained<NamedParameters>;
   if (is_all_replaced)
     result.number_of_isolated_vertices = origin.number_of_isolated_vertices;
-  Mesh_storer<ConcurrencyTag, Mesh, TriangleMesh, decltype(vpm), std::decay_t<decltype(constraints)>> store(mesh, origin, tmesh,
-                                                                                                            vpm, constraints);
+  const auto location_map = get_parameter(np, internal_np::vertex_location_map);
+  Mesh_storer<ConcurrencyTag, Mesh, TriangleMesh, decltype(vpm), std::decay_t<decltype(constraints)>,
+              std::decay_t<decltype(location_map)>>
+      store(mesh, origin, tmesh, vpm, constraints, location_map, locations);
   store(is_all_replaced);
-  if constexpr (is_given<NamedParameters, internal_np::vertex_location_map_t>)
-    for (const Vertex_index v : mesh.vertices())
-      put(get_parameter(np, internal_np::vertex_location_map), store.vertex(v), locations[v]);
   result.output_seconds = timer.time();
   return result;
 }

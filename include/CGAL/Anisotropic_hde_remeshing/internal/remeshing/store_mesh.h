@@ -11,9 +11,15 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
+#include <CGAL/Anisotropic_hde_remeshing/Input_location.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/named_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Map_transaction.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/New_points.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Working_mesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/load_mesh.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/new_elements.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/type_traits.h>
 
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -24,114 +30,19 @@
 
 #include <cstddef>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// elements without connectivity
-template <typename TriangleMesh>
-struct New_elements
-{
-  std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertices;
-  std::vector<typename boost::graph_traits<TriangleMesh>::edge_descriptor> edges;
-  std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor> faces;
-};
-
-template <typename TriangleMesh>
-void reserve_elements(std::size_t, std::size_t, std::size_t, TriangleMesh&)
-{
-}
-
-// One that runs out of memory while it adds an element is left with property maps of different sizes.
-template <typename Point>
-void reserve_elements(const std::size_t number_of_vertices, const std::size_t number_of_edges,
-                      const std::size_t number_of_faces, Surface_mesh<Point>& tmesh)
-{
-  typedef typename Surface_mesh<Point>::size_type size_type;
-  tmesh.reserve(size_type(tmesh.num_vertices() + number_of_vertices), size_type(tmesh.num_edges() + number_of_edges),
-                size_type(tmesh.num_faces() + number_of_faces));
-}
-
-// all of them, or none if one throws
-template <typename TriangleMesh>
-New_elements<TriangleMesh> add_elements(const std::size_t number_of_vertices, const std::size_t number_of_edges,
-                                        const std::size_t number_of_faces, TriangleMesh& tmesh)
-{
-  New_elements<TriangleMesh> result;
-  result.vertices.reserve(number_of_vertices);
-  result.edges.reserve(number_of_edges);
-  result.faces.reserve(number_of_faces);
-  reserve_elements(number_of_vertices, number_of_edges, number_of_faces, tmesh);
-  try
-  {
-    while (result.vertices.size() < number_of_vertices)
-      result.vertices.push_back(add_vertex(tmesh));
-    while (result.edges.size() < number_of_edges)
-      result.edges.push_back(add_edge(tmesh));
-    while (result.faces.size() < number_of_faces)
-      result.faces.push_back(add_face(tmesh));
-  }
-  catch (...)
-  {
-    for (const auto f : result.faces)
-      remove_face(f, tmesh);
-    for (const auto e : result.edges)
-      remove_edge(e, tmesh);
-    for (const auto v : result.vertices)
-      remove_vertex(v, tmesh);
-    throw;
-  }
-  return result;
-}
-
-// in the place of all that there are
-template <typename TriangleMesh>
-New_elements<TriangleMesh> replace_elements(const std::size_t number_of_vertices, const std::size_t number_of_edges,
-                                            const std::size_t number_of_faces, TriangleMesh& tmesh)
-{
-  typedef boost::graph_traits<TriangleMesh> Graph_traits;
-  const std::vector<typename Graph_traits::vertex_descriptor> old_vertices(vertices(tmesh).begin(), vertices(tmesh).end());
-  const std::vector<typename Graph_traits::edge_descriptor> old_edges(edges(tmesh).begin(), edges(tmesh).end());
-  const std::vector<typename Graph_traits::face_descriptor> old_faces(faces(tmesh).begin(), faces(tmesh).end());
-  const New_elements<TriangleMesh> result = add_elements(number_of_vertices, number_of_edges, number_of_faces, tmesh);
-  for (const auto f : old_faces)
-    remove_face(f, tmesh);
-  for (const auto e : old_edges)
-    remove_edge(e, tmesh);
-  for (const auto v : old_vertices)
-    remove_vertex(v, tmesh);
-  return result;
-}
-
-// At once, in a fraction of the time. The property maps of the caller stay, among them perhaps the one of the points.
-template <typename Point>
-New_elements<Surface_mesh<Point>> replace_elements(const std::size_t number_of_vertices, const std::size_t number_of_edges,
-                                                   const std::size_t number_of_faces, Surface_mesh<Point>& tmesh)
-{
-  typedef Surface_mesh<Point> Mesh;
-  typedef typename Mesh::size_type size_type;
-  New_elements<Mesh> result;
-  result.vertices.reserve(number_of_vertices);
-  result.edges.reserve(number_of_edges);
-  result.faces.reserve(number_of_faces);
-  if (tmesh.has_garbage())
-    tmesh.collect_garbage();
-  // from here to the end nothing asks for memory
-  tmesh.reserve(size_type(number_of_vertices), size_type(number_of_edges), size_type(number_of_faces));
-  tmesh.resize(0, 0, 0);
-  tmesh.resize(size_type(number_of_vertices), size_type(number_of_edges), size_type(number_of_faces));
-  result.vertices.assign(tmesh.vertices().begin(), tmesh.vertices().end());
-  result.edges.assign(tmesh.edges().begin(), tmesh.edges().end());
-  result.faces.assign(tmesh.faces().begin(), tmesh.faces().end());
-  return result;
-}
-
 // Replaces the remeshed faces of the caller's mesh. What it does not replace keeps its descriptors: all outside of these faces,
-// the fixed vertices, and the edges that must not be touched. Where memory runs out, the caller's mesh is as it was, but for
-// the garbage of a Surface_mesh, which may be collected: what asks for memory comes first.
-template <typename ConcurrencyTag, typename Mesh, typename TriangleMesh, typename VertexPointMap, typename Constraints>
+// the fixed vertices, and the edges that must not be touched. If memory runs out or a property map of the caller's throws, the
+// caller's mesh is as it was, but for the garbage of a Surface_mesh: all that may throw is done while the old elements are there,
+// and what is written over them is put back. `LocationMap` may be internal_np::Param_not_found.
+template <typename ConcurrencyTag, typename Mesh, typename TriangleMesh, typename VertexPointMap, typename Constraints,
+          typename LocationMap>
 class Mesh_storer
 {
   typedef boost::graph_traits<TriangleMesh> Graph_traits;
@@ -139,15 +50,24 @@ class Mesh_storer
   typedef typename Graph_traits::halfedge_descriptor Halfedge;
   typedef typename Graph_traits::edge_descriptor Edge;
   typedef typename Graph_traits::face_descriptor Face;
+  typedef typename boost::property_traits<VertexPointMap>::value_type Point;
+  typedef std::decay_t<decltype(std::declval<const Constraints&>().edge_is_constrained)> Edge_is_constrained_map;
+
+  template <typename Map, typename Key>
+  static constexpr bool is_own_map = Is_own_map<TriangleMesh, Map, Key>::value;
+  static constexpr bool has_locations = !std::is_same<LocationMap, internal_np::Param_not_found>::value;
 
 public:
+  // `locations` of the vertices of the working mesh
   Mesh_storer(const Mesh& mesh, const Mesh_origin<TriangleMesh>& origin, TriangleMesh& tmesh, const VertexPointMap vpm,
-              const Constraints& constraints)
+              const Constraints& constraints, const LocationMap location_map, const std::vector<Input_location>& locations)
     : m_mesh(mesh),
       m_origin(origin),
       m_tmesh(tmesh),
       m_vpm(vpm),
       m_constraints(constraints),
+      m_location_map(location_map),
+      m_locations(locations),
       m_vertices(vertex_capacity(mesh)),
       m_halfedges(mesh.num_halfedges(), Graph_traits::null_halfedge())
   {
@@ -156,39 +76,139 @@ public:
   // `is_all_replaced`: nothing needs to keep its descriptors
   void operator()(const bool is_all_replaced)
   {
-    const auto patches = patches_of_input(is_all_replaced);
     if (!is_all_replaced)
       keep_elements();
     list_new_elements(is_all_replaced);
-    New_elements<TriangleMesh> added;
-    if (is_all_replaced)
-      added = replace_elements(m_new_vertices.size(), m_new_edges.size(), m_new_faces.size(), m_tmesh);
-    else
-    {
-      const Old_elements gone = list_old_elements();
-      added = add_elements(m_new_vertices.size(), m_new_edges.size(), m_new_faces.size(), m_tmesh);
-      remove(gone);
-    }
-    place_vertices(added.vertices, is_all_replaced);
-    connect_edges(added.edges, is_all_replaced);
-    connect_faces(added.faces, is_all_replaced);
-    close_border();
-    if (!is_all_replaced)
-      put_patches(added.faces, patches);
+    if constexpr (is_surface_mesh(static_cast<const TriangleMesh*>(nullptr)))
+      if (is_all_replaced && (has_own_maps() || !m_tmesh.has_garbage())) // to collect it would change the keys of the maps
+        return renew();
+    replace(is_all_replaced);
   }
-
-  // the vertex of the caller's mesh that stands for one of the working mesh
-  Vertex vertex(const Vertex_index v) const { return m_vertices[v]; }
 
 private:
   bool is_untouchable(const Edge_index e) const { return m_mesh.arc(m_mesh.halfedge(e)).curve == Curve_arc::untouchable; }
 
   static std::size_t index(const Halfedge_index h) { return std::size_t(h); }
 
+  // at once, a Surface_mesh
+  void renew()
+  {
+    const New_points<Point, Mesh> points(m_mesh, m_origin.unit, m_new_vertices);
+    Map_transaction<VertexPointMap, Vertex> written(m_vpm);
+    write_foreign_maps(points, written);
+    const New_elements<TriangleMesh> added =
+        replace_elements(m_new_vertices.size(), m_new_edges.size(), m_new_faces.size(), m_tmesh);
+    written.commit();
+    set_vertices(added.vertices);
+    if constexpr (is_own_map<VertexPointMap, Vertex>)
+      for_each(added.vertices.size(), true, [&](const std::size_t i) { put(m_vpm, added.vertices[i], points[i]); });
+    if constexpr (has_locations)
+      if constexpr (is_own_map<LocationMap, Vertex>)
+        put_locations();
+    connect(added, true);
+  }
+
+  // one after the other
+  void replace(const bool is_all_replaced)
+  {
+    const auto patches = patches_of_input(is_all_replaced);
+    const Old_elements gone = list_old_elements(is_all_replaced);
+    const New_elements<TriangleMesh> added =
+        add_elements(m_new_vertices.size(), m_new_edges.size(), m_new_faces.size(), m_tmesh);
+    set_vertices(added.vertices);
+    try
+    {
+      write_maps(added, patches, is_all_replaced);
+    }
+    catch (...)
+    {
+      remove_elements(added, m_tmesh);
+      throw;
+    }
+    remove(gone);
+    connect(added, is_all_replaced);
+  }
+
+  // of the new elements, beside which the old ones are still there, and of those that are kept
+  template <typename Patches>
+  void write_maps(const New_elements<TriangleMesh>& added, const Patches& patches, const bool is_all_replaced)
+  {
+    const New_points<Point, Mesh> points(m_mesh, m_origin.unit, m_new_vertices);
+    for (std::size_t i = 0; i < added.vertices.size(); ++i)
+      put(m_vpm, added.vertices[i], points[i]);
+    Map_transaction<Edge_is_constrained_map, Edge> written(m_constraints.edge_is_constrained);
+    if (!is_all_replaced)
+    {
+      for (std::size_t i = 0; i < added.edges.size(); ++i)
+        put(m_constraints.edge_is_constrained, added.edges[i],
+            m_mesh.is_on_curve(m_new_edges[i]) && !m_mesh.is_border(m_new_edges[i]));
+      std::size_t i = 0;
+      for (const Face_index f : m_mesh.faces())
+        put(m_constraints.face_patch, added.faces[i++], patches[m_mesh.input_face(f)]);
+      write_kept_edges(written);
+    }
+    if constexpr (has_locations)
+      put_locations();
+    written.commit();
+  }
+
+  // Protected creases, which the caller may not have marked. Those on the border of the remeshed faces are not touched.
+  void write_kept_edges(Map_transaction<Edge_is_constrained_map, Edge>& written) const
+  {
+    for (const Edge_index e : m_mesh.edges())
+      if (is_untouchable(e) && !m_mesh.is_border(e))
+      {
+        const Edge kept = edge(m_halfedges[index(m_mesh.halfedge(e))], m_tmesh);
+        if (!get(m_constraints.edge_is_constrained, kept))
+          written.write(kept, true);
+      }
+  }
+
+  // Those that are no property maps of the mesh itself, by the numbers that its vertices will have.
+  void write_foreign_maps(const New_points<Point, Mesh>& points, Map_transaction<VertexPointMap, Vertex>& written) const
+  {
+    if constexpr (!is_own_map<VertexPointMap, Vertex>)
+      for (std::size_t i = 0; i < m_new_vertices.size(); ++i)
+      {
+        const Vertex v = numbered_vertex(i);
+        if (i < num_vertices(m_tmesh))
+          written.write(v, points[i]);
+        else
+          put(m_vpm, v, points[i]);
+      }
+    if constexpr (has_locations)
+      if constexpr (!is_own_map<LocationMap, Vertex>)
+        for (std::size_t i = 0; i < m_new_vertices.size(); ++i)
+          put(m_location_map, numbered_vertex(i), m_locations[m_new_vertices[i]]);
+  }
+
+  static Vertex numbered_vertex(const std::size_t i) { return Vertex(static_cast<typename TriangleMesh::size_type>(i)); }
+
+  // whether no property map of the caller's is written but those of the mesh itself, where that is as good as free of exceptions
+  static constexpr bool has_own_maps()
+  {
+    if constexpr (!has_locations)
+      return is_own_map<VertexPointMap, Vertex>;
+    else
+      return is_own_map<VertexPointMap, Vertex> && is_own_map<LocationMap, Vertex>;
+  }
+
+  void put_locations() const
+  {
+    for (const Vertex_index v : m_mesh.vertices())
+      put(m_location_map, m_vertices[v], m_locations[v]);
+  }
+
+  void set_vertices(const std::vector<Vertex>& added)
+  {
+    for (std::size_t i = 0; i < added.size(); ++i)
+      m_vertices[m_new_vertices[i]] = added[i];
+  }
+
   // by the number of the face among those that are remeshed: their descriptors will be gone
   auto patches_of_input(const bool is_all_replaced) const
   {
-    typedef std::decay_t<decltype(get(m_constraints.face_patch, *faces(m_tmesh).begin()))> Patch;
+    typedef Value_of_map<std::decay_t<decltype(m_constraints.face_patch)>, Face> Patch;
     std::vector<Patch> result;
     if (!is_all_replaced)
       for (const Face f : m_origin.faces)
@@ -218,8 +238,10 @@ private:
   };
 
   // the edges and vertices of the faces that are replaced, but those that are kept; and the border that stays
-  Old_elements list_old_elements()
+  Old_elements list_old_elements(const bool is_all_replaced)
   {
+    if (is_all_replaced)
+      return Old_elements{{edges(m_tmesh).begin(), edges(m_tmesh).end()}, {vertices(m_tmesh).begin(), vertices(m_tmesh).end()}};
     enum : char
     {
       STAYS,
@@ -315,17 +337,12 @@ private:
   }
   static constexpr bool is_surface_mesh(const void*) { return false; }
 
-  void place_vertices(const std::vector<Vertex>& added, const bool is_all_replaced)
+  // all at once, which throws nothing
+  void connect(const New_elements<TriangleMesh>& added, const bool is_all_replaced)
   {
-    typedef typename boost::property_traits<VertexPointMap>::value_type Point;
-    for (std::size_t i = 0; i < added.size(); ++i)
-      m_vertices[m_new_vertices[i]] = added[i];
-    for_each(added.size(), is_all_replaced,
-             [&](const std::size_t i)
-             {
-               const Vector p = m_origin.unit * m_mesh.point(m_new_vertices[i]).point;
-               put(m_vpm, added[i], Point(p[0], p[1], p[2]));
-             });
+    connect_edges(added.edges, is_all_replaced);
+    connect_faces(added.faces, is_all_replaced);
+    close_border();
   }
 
   void connect_edges(const std::vector<Edge>& added, const bool is_all_replaced)
@@ -350,8 +367,6 @@ private:
             set_face(m_halfedges[index(side)], Graph_traits::null_face(), m_tmesh);
             m_border.push_back(m_halfedges[index(side)]);
           }
-      if (!is_all_replaced)
-        put(m_constraints.edge_is_constrained, added[i], m_mesh.is_on_curve(e) && !is_on_border);
     }
   }
 
@@ -370,14 +385,6 @@ private:
              });
     for (const Vertex_index v : m_mesh.vertices())
       set_halfedge(m_vertices[v], m_halfedges[index(m_mesh.halfedge(v))], m_tmesh);
-  }
-
-  template <typename Patches>
-  void put_patches(const std::vector<Face>& added, const Patches& patches)
-  {
-    std::size_t i = 0;
-    for (const Face_index f : m_mesh.faces())
-      put(m_constraints.face_patch, added[i++], patches[m_mesh.input_face(f)]);
   }
 
   // At a manifold vertex there is one border halfedge that leaves it, beyond the faces about it. It is the vertex's own, as
@@ -399,6 +406,8 @@ private:
   TriangleMesh& m_tmesh;
   const VertexPointMap m_vpm;
   const Constraints& m_constraints;
+  const LocationMap m_location_map;
+  const std::vector<Input_location>& m_locations;
   std::vector<Vertex> m_vertices;
   std::vector<Halfedge> m_halfedges;        // of the caller's mesh, by those of the working mesh
   std::vector<Vertex_index> m_new_vertices; // what the caller's mesh does not have yet
