@@ -23,6 +23,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/remeshing_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/reorder_mesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/update_metric.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/size_limits.h>
 
 #include <algorithm>
 #include <array>
@@ -153,8 +154,13 @@ public:
     if (m_parameters.fit_to_surface)
       m_projector.fit(m_interruption);
     if (m_parameters.error > 0)
-      refine_to_error();
-    if (n > 0 && m_result.binding_target == Target::NUMBER_OF_FACES)
+    {
+      if (n > 0)
+        refine_to_error();
+      else
+        measure_error();
+    }
+    else if (n > 0 && m_result.binding_target == Target::NUMBER_OF_FACES)
       m_result.binding_target = binding_target(target.number_of_faces());
   }
 
@@ -206,6 +212,17 @@ private:
     target.template update<ConcurrencyTag>(m_mesh, m_embedding);
   }
 
+  // Without an iteration the vertices are only projected: what comes of it is told.
+  void measure_error()
+  {
+    Error_of_mesh error = error_of_mesh();
+    error.failing_faces();
+    m_result.approximation_error =
+        m_interruption.is_requested() ? (std::numeric_limits<double>::infinity)() : error.largest_bound();
+    m_result.binding_target =
+        m_result.approximation_error <= m_parameters.error ? Target::APPROXIMATION_ERROR : Target::NUMBER_OF_FACES;
+  }
+
   // Splits edges of the faces that exceed the error until there are none, or as many faces as allowed. Each round halves edges,
   // hence quarters their errors. The last word is a measurement.
   void refine_to_error()
@@ -217,7 +234,9 @@ private:
     {
       std::vector<Edge_index> edges = edges_to_split(error.failing_faces());
       m_result.approximation_error = error.largest_bound();
-      const double room = (largest_number_of_faces - double(m_mesh.number_of_faces())) / 2; // an edge splits two faces
+      const double room =
+          (std::min)((largest_number_of_faces - double(m_mesh.number_of_faces())) / 2, // an edge splits two faces
+                     room_for_splits(m_mesh.num_halfedges()));
       if (!edges.empty() && room < 1 && largest_number_of_faces == m_largest_number_of_faces)
         m_result.binding_target = Target::NUMBER_OF_FACES;
       if (edges.empty() || room < 1 || round == maximum_number_of_error_rounds)
@@ -342,7 +361,8 @@ private:
     const double largest = largest_number_of_faces(number_of_faces);
     for (int pass = 0; pass < maximum_number_of_split_passes && go_further(); ++pass)
     {
-      const double room = (largest - double(m_mesh.number_of_faces())) / 2; // a split makes two faces of one
+      const double room = (std::min)((largest - double(m_mesh.number_of_faces())) / 2, // a split makes two faces of one
+                                     room_for_splits(m_mesh.num_halfedges()));
       if (room < 1 || is_negligible(m_operations.split(m_parameters.split_ratio * length, std::size_t(room))))
         break;
     }
