@@ -25,6 +25,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 namespace Hde = CGAL::Anisotropic_hde_remeshing;
@@ -96,6 +98,23 @@ SomeMesh grid(const int n, const double height)
       [=](std::size_t i, std::size_t j) { return P(static_cast<double>(i) / n, static_cast<double>(j) / n, height); }, true);
   return mesh;
 }
+
+// the message of the exception; empty if none is thrown
+template <typename Call>
+std::string message_of(const Call& call)
+{
+  try
+  {
+    call();
+  }
+  catch (const std::invalid_argument& error)
+  {
+    return error.what();
+  }
+  return std::string();
+}
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 void test_aspect_ratio()
 {
@@ -294,6 +313,88 @@ void test_distance()
   CHECK(Hde::measure_distance(low, low, samples).max() < 1e-15);
 }
 
+// x^2 + y^2 / 4 + z^2 / 25 - 1: no distance, to first order wrong by far where its gradient is small
+struct Ellipsoid_function
+{
+  typedef Kernel::FT FT;
+  typedef Kernel::Point_3 Point_3;
+  typedef Kernel::Vector_3 Vector_3;
+
+  FT operator()(const Point_3& p) const { return p.x() * p.x() + p.y() * p.y() / 4 + p.z() * p.z() / 25 - 1; }
+  Vector_3 gradient(const Point_3& p) const { return Vector_3(2 * p.x(), p.y() / 2, 2 * p.z() / 25); }
+};
+
+// the distance by trying a million points of the ellipsoid, hence no more than 0.002 too large
+double distance_by_trying(const Point_3& p)
+{
+  double least = std::numeric_limits<double>::infinity();
+  const int n = 1000;
+  for (int i = 0; i <= n; ++i)
+    for (int j = 0; j < n; ++j)
+    {
+      const double theta = 3.14159265358979323846 * i / n, phi = 2 * 3.14159265358979323846 * j / n;
+      const Point_3 q(std::sin(theta) * std::cos(phi), 2 * std::sin(theta) * std::sin(phi), 5 * std::cos(theta));
+      least = (std::min)(least, CGAL::squared_distance(p, q));
+    }
+  return std::sqrt(least);
+}
+
+void test_true_distance()
+{
+  const Ellipsoid_function ellipsoid;
+  const auto distance = Hde::internal::zero_set_distance(ellipsoid, 11.);
+  for (const Point_3& p : {Point_3(0.6, 0, 0), Point_3(0.5, 1, 1), Point_3(0.9, 0.2, -2), Point_3(0.2, 0.1, 4.9),
+                           Point_3(1, 2, 5), Point_3(-1, 0.5, 3), Point_3(0.6, 1.2, 1.4), Point_3(-2, 3, 4)})
+  {
+    const double found = distance(Hde::internal::Vector(p.x(), p.y(), p.z())), expected = distance_by_trying(p);
+    CHECK(found <= expected * (1 + 1e-4));
+    CHECK(found >= expected - 0.002 - 1e-4);
+  }
+  CHECK(std::isinf(distance(Hde::internal::Vector(0, 0, 0)))); // no way leads from here
+  const Hde::internal::Vector corner(0, 2, 0);
+  CHECK_CLOSE(distance(Hde::internal::Vector(0, 0, 0), corner, 0), 2, 1e-12); // but that to a neighbour
+
+  // A triangle of points of the equator through the centre: to first order the largest distance has no bound. Its points are
+  // 1 - r from the sphere, r their distance from the centre.
+  struct Squared : Ellipsoid_function
+  {
+    FT operator()(const Point_3& p) const { return (p - CGAL::ORIGIN).squared_length() - 1; }
+    Vector_3 gradient(const Point_3& p) const { return 2 * (p - CGAL::ORIGIN); }
+  };
+  const double h = std::sqrt(0.75);
+  const Point_3 a(1, 0, 0), b(-0.5, h, 0), c(-0.5, -h, 0);
+  const Hde::Zero_set_measures measures = Hde::measure_distance_to_zero_set(triangle(a, b, c), Squared());
+  double mean_square = 0, number = 0;
+  const int n = 400;
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; i + j < n; ++j, ++number)
+    {
+      const double u = (i + 1. / 3) / n, v = (j + 1. / 3) / n;
+      const double r = std::sqrt(((a + u * (b - a) + v * (c - a)) - CGAL::ORIGIN).squared_length());
+      mean_square += (1 - r) * (1 - r);
+    }
+  CHECK_CLOSE(measures.face_rms, std::sqrt(mean_square / number), 0.01);
+  CHECK(measures.face_max > 0.99 && measures.face_max <= 1);
+  CHECK(measures.boundary_vertex_max < 1e-15);
+}
+
+void test_invalid_parameters()
+{
+  using namespace CGAL::parameters;
+  const Mesh mesh = icosphere(1);
+  const double nan_value = std::nan("");
+  for (const double bad : {-1., nan_value})
+  {
+    CHECK(contains(message_of([&] { Hde::measure_embedding(mesh, Sphere_function{1}, sigma(bad)); }), "sigma is"));
+    CHECK(contains(message_of([&] { Hde::measure_embedding(mesh, Sphere_function{1}, target_edge_length(bad)); }),
+                   "target_edge_length is"));
+    CHECK(contains(message_of([&] { Hde::measure_distance(mesh, mesh, number_of_points_on_faces(bad)); }),
+                   "number_of_points_on_faces is"));
+  }
+  CHECK(contains(message_of([&] { Hde::measure_distance_to_zero_set(mesh, Sphere_function{1}, number_of_points_on_faces(0)); }),
+                 "number_of_points_on_faces is 0"));
+}
+
 int main()
 {
   test_aspect_ratio();
@@ -303,5 +404,7 @@ int main()
   test_folded_faces();
   test_distance_to_zero_set();
   test_distance();
+  test_true_distance();
+  test_invalid_parameters();
   return check_summary();
 }

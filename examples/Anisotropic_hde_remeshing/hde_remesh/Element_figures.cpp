@@ -7,7 +7,9 @@
 // Author(s)     : The Anisotropic_hde_remeshing developers
 
 #include "Element_figures.h"
+#include "measure.h"
 
+#include <CGAL/Anisotropic_hde_remeshing/internal/measures/Zero_set_distance.h>
 #include <CGAL/Anisotropic_hde_remeshing/quality_measures.h>
 
 #include <algorithm>
@@ -19,12 +21,18 @@ namespace hde_remesh {
 
 namespace {
 
-// to first order
-double distance(const Function_view::Piece& function, const Point_3& p)
+Hde::internal::Vector to_vector(const Point_3& p) { return Hde::internal::Vector(p.x(), p.y(), p.z()); }
+
+// of a vertex
+double distance(const Function_view::Piece& function, const Point_3& p, const double size)
 {
-  const auto [value, gradient] = function.value_and_gradient(p);
-  const double slope = std::sqrt(gradient.squared_length());
-  return slope > 0 ? std::abs(value) / slope : std::abs(value);
+  return Hde::internal::zero_set_distance(function, size)(to_vector(p));
+}
+
+// of the centroid of a face with the vertex v
+double distance(const Function_view::Piece& function, const Point_3& p, const Point_3& v, const double size)
+{
+  return Hde::internal::zero_set_distance(function, size)(to_vector(p), to_vector(v), distance(function, v, size));
 }
 
 Vector_3 unit_normal(const Function_view::Piece& function, const Point_3& p)
@@ -51,6 +59,7 @@ Element_figures figures_of_elements(const Mesh& mesh, const Function_view& funct
 {
   Element_figures figures;
   const Creases creases = creases_of(mesh);
+  const double size = diagonal(mesh);
   // of the face of h, or of that beyond it on the boundary
   const auto piece = [&](const Mesh::Halfedge_index h) -> const Function_view::Piece&
   { return function.piece(creases.region[mesh.face(mesh.is_border(h) ? mesh.opposite(h) : h)]); };
@@ -61,7 +70,7 @@ Element_figures figures_of_elements(const Mesh& mesh, const Function_view& funct
     // a vertex on a crease has one value only here: that of one of its regions
     const Function_view::Piece& at_vertex = piece(mesh.halfedge(v));
     figures.normals.push_back(unit_normal(at_vertex, mesh.point(v)));
-    figures.vertex_distances.push_back(distance(at_vertex, mesh.point(v)));
+    figures.vertex_distances.push_back(distance(at_vertex, mesh.point(v), size));
   }
   const auto normal = [&](const Mesh::Vertex_index v, const Mesh::Halfedge_index h)
   { return &piece(h) == &piece(mesh.halfedge(v)) ? figures.normals[numbers[v]] : unit_normal(piece(h), mesh.point(v)); };
@@ -80,9 +89,9 @@ Element_figures figures_of_elements(const Mesh& mesh, const Function_view& funct
   {
     const Mesh::Halfedge_index h = mesh.halfedge(f), g = mesh.next(h), k = mesh.next(g);
     const Point_3 &a = mesh.point(mesh.target(h)), &b = mesh.point(mesh.target(g)), &c = mesh.point(mesh.target(k));
-    figures.aspect_ratios.push_back(CGAL::Anisotropic_hde_remeshing::aspect_ratio(a, b, c));
+    figures.aspect_ratios.push_back(Hde::aspect_ratio(a, b, c));
     figures.smallest_angles.push_back(smallest_angle({squared_length(h), squared_length(g), squared_length(k)}));
-    figures.face_distances.push_back(distance(piece(h), CGAL::centroid(a, b, c)));
+    figures.face_distances.push_back(distance(piece(h), CGAL::centroid(a, b, c), a, size));
   }
   return figures;
 }

@@ -66,8 +66,8 @@ struct Embedding_measures
 
 /// \ingroup PkgAnisotropicHdeRemeshingRef
 ///
-/// distances of a triangle mesh to the zero set of an implicit function `f`, to first order: \f$ |f| / |\nabla f| \f$,
-/// in the unit of the mesh
+/// distances of a triangle mesh to the zero set of an implicit function, in the unit of the mesh, see
+/// `measure_distance_to_zero_set()`
 struct Zero_set_measures
 {
   double interior_vertex_max = 0;    ///< largest of the vertices that are not on a boundary

@@ -12,20 +12,48 @@
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
 #include <CGAL/Anisotropic_hde_remeshing/Measures.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/evaluation.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/measures/Area_sampler.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/measures/Measured_mesh.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/measures/Zero_set_distance.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/named_parameters.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/pieces.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
+
+namespace internal {
+
+// of the i-th point; `of_vertices` has the distances of the vertices
+template <typename Function>
+double distance_of_sample(const Area_sampler& sampler, const std::size_t i, const Measured_mesh& mesh,
+                          const std::vector<double>& of_vertices, const Function& f, const double size)
+{
+  const std::size_t face = sampler.face(i);
+  const Vector p = sampler(i);
+  const auto bound = [&](const std::size_t v) { return (p - mesh.points[v]).norm() + of_vertices[v]; };
+  std::size_t nearest = mesh.faces[face][0];
+  for (const std::size_t v : mesh.faces[face])
+    if (bound(v) < bound(nearest))
+      nearest = v;
+  return zero_set_distance(piece(f, mesh.face_regions[face]), size)(p, mesh.points[nearest], of_vertices[nearest]);
+}
+
+} // namespace internal
 
 /*!
 \ingroup PkgAnisotropicHdeRemeshingRef
 
 \brief measures how far a triangle mesh is from the zero set of an implicit function.
+
+A distance is that to a point of the zero set, which Newton's method finds along the gradient, and steps along the tangent planes
+the nearest one about it: it is not less than the true distance, and the same up to a ten-thousandth wherever the nearest point
+of the zero set is found. Where neither leads to the zero set, the sum of the distances to the nearest vertex of the face and from
+there to the zero set counts. It is infinite where there is none.
 
 The points sampled on the faces are spread evenly over the area, without random numbers: a second call gives the same
 result, as does another number of threads.
@@ -40,6 +68,7 @@ result, as does another number of threads.
 \param np optional named parameters: `vertex_point_map`, `geom_traits` and `number_of_points_on_faces` (the number of
 points sampled on the faces, by default 200,000)
 
+\throw std::invalid_argument if `number_of_points_on_faces` is less than 1
 \pre `is_triangle_mesh(tmesh)`
 */
 template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename Function,
@@ -47,34 +76,35 @@ template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typen
 Zero_set_measures measure_distance_to_zero_set(const TriangleMesh& tmesh, const Function& f,
                                                const NamedParameters& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-
-  const internal::Measured_mesh mesh = internal::read_measured_mesh_of(f, tmesh, np);
-  const std::size_t number_of_samples = static_cast<std::size_t>(
-      choose_parameter(get_parameter(np, internal_np::number_of_points_on_faces), std::size_t(200000)));
-  const auto distance = [&f](const internal::Vector& p, const internal::Region region)
-  { return internal::first_order_distance(internal::value_and_gradient_of(internal::piece(f, region), p)); };
-  const auto vertex_max = [&](const bool on_boundary)
+  if constexpr (!internal::accepts_measurement<TriangleMesh, Function, NamedParameters>())
+    return Zero_set_measures();
+  else
   {
-    const auto distance_of_vertex = [&](const std::size_t v)
+    const internal::Measured_mesh mesh = internal::read_measured_mesh_of(f, tmesh, np);
+    const std::size_t number_of_samples = internal::number_of_samples_parameter(np);
+    const double size = mesh.diagonal();
+    std::vector<double> of_vertices(mesh.points.size());
+    internal::parallel_for<ConcurrencyTag>(of_vertices.size(),
+                                           [&](const std::size_t v)
+                                           {
+                                             const auto& piece = internal::piece(f, mesh.point_regions[v]);
+                                             of_vertices[v] = internal::zero_set_distance(piece, size)(mesh.points[v]);
+                                           });
+    const internal::Area_sampler sampler(mesh, number_of_samples);
+    const internal::Rms_and_max of_faces =
+        internal::rms_and_max<ConcurrencyTag>(sampler.size(), [&](const std::size_t i)
+                                              { return internal::distance_of_sample(sampler, i, mesh, of_vertices, f, size); });
+    Zero_set_measures measures;
+    for (std::size_t v = 0; v < of_vertices.size(); ++v)
     {
-      const bool is_meant = static_cast<bool>(mesh.is_on_boundary[v]) == on_boundary;
-      return is_meant ? distance(mesh.points[v], mesh.point_regions[v]) : 0;
-    };
-    return internal::rms_and_max<ConcurrencyTag>(mesh.points.size(), distance_of_vertex).max;
-  };
-
-  const internal::Area_sampler sampler(mesh, number_of_samples);
-  const internal::Rms_and_max of_faces = internal::rms_and_max<ConcurrencyTag>(
-      sampler.size(), [&](const std::size_t i) { return distance(sampler(i), mesh.face_regions[sampler.face(i)]); });
-  Zero_set_measures measures;
-  measures.interior_vertex_max = vertex_max(false);
-  measures.boundary_vertex_max = vertex_max(true);
-  measures.face_rms = of_faces.rms;
-  measures.face_max = of_faces.max;
-  measures.number_of_samples = sampler.size();
-  return measures;
+      double& largest = mesh.is_on_boundary[v] ? measures.boundary_vertex_max : measures.interior_vertex_max;
+      largest = (std::max)(largest, of_vertices[v]);
+    }
+    measures.face_rms = of_faces.rms;
+    measures.face_max = of_faces.max;
+    measures.number_of_samples = sampler.size();
+    return measures;
+  }
 }
 
 } // namespace Anisotropic_hde_remeshing

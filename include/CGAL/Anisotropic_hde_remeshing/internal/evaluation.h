@@ -15,8 +15,6 @@
 
 #include <CGAL/number_utils.h>
 
-#include <cmath>
-#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -57,16 +55,6 @@ Vector gradient_of(const Function& function, const Vector& p)
 {
   const auto g = function.gradient(typename Function::Point_3(p.x(), p.y(), p.z()));
   return Vector(to_double(g.x()), to_double(g.y()), to_double(g.z()));
-}
-
-// The distance to the zero set to first order. Where the gradient vanishes it says nothing: 0 on the zero set,
-// infinite off it.
-inline double first_order_distance(const Value_and_gradient& at_point)
-{
-  const double length = at_point.gradient.norm(), value = std::abs(at_point.value);
-  if (length > 0)
-    return value / length;
-  return value > 0 ? std::numeric_limits<double>::infinity() : value;
 }
 
 } // namespace internal
