@@ -196,6 +196,20 @@ check "json" run 0 $sphere j.off --json j.json $quick
 check "json on the standard output" run 0 $sphere j.off --json - $quick
 cp stdout j2.json
 check "a report" grep -q '"euler_characteristic": 2' j.json
+check "no warnings" grep -q '"warnings": \[\]' j.json
+# a needle without curvature, of which nothing can be made but thinner ones, and a curve that hardly any triangles follow
+printf 'OFF\n3 1 0\n0 0 0\n1e-6 1 0\n0 1 0\n3 0 1 2\n' >needle.off
+check "needles are no error" run 0 needle.off n.off --iterations 0 --json w.json
+check "but a warning" says "hde_remesh: warning: 1 of 1 faces are needles"
+check "in the JSON, too" grep -q '1 of 1 faces are needles' w.json
+check "too few iterations for so many faces" run 0 $sphere w.off --faces 100000 --iterations 0 --json w.json --no-distance
+check "which is said" says "hde_remesh: warning: there are "
+check "and in the JSON" grep -q 'not about 100000' w.json
+check "far from the input" run 0 $sphere w.off --faces 12 --json w.json
+check "is said" says "D apart"
+check "also in the JSON" grep -q 'D apart' w.json
+check "not when it is quiet" run 0 $sphere w.off --faces 12 --quiet
+check "which is silent" [ ! -s stderr ]
 if command -v python3 >/dev/null; then
   check "valid json" python3 -m json.tool j.json /dev/null
   check "valid json on the standard output" python3 -m json.tool j2.json /dev/null

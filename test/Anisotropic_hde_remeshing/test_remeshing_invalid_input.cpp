@@ -158,13 +158,20 @@ void test_invalid_parameters()
   CHECK(contains(message_of(mesh, target_edge_length(0)), "target_edge_length is 0"));
   CHECK(contains(message_of(mesh, number_of_target_faces(0)), "number_of_target_faces is 0"));
   CHECK(contains(message_of(mesh, number_of_target_faces(-5)), "number_of_target_faces is -5"));
-  CHECK(contains(message_of(mesh, number_of_target_faces(1000000000)), "number_of_target_faces is 1e+09") ||
-        contains(message_of(mesh, number_of_target_faces(1000000000)), "number_of_target_faces is 1000000000"));
+  CHECK(contains(message_of(mesh, number_of_target_faces(1000000000)), "number_of_target_faces is 1000000000"));
   CHECK(contains(message_of(mesh, target_edge_length(1e-9)), "target edge length is 1e-09"));
   CHECK(contains(message_of(mesh, relative_target_edge_length(-1)), "relative_target_edge_length is -1"));
   CHECK(contains(message_of(mesh, relative_sigma(-1)), "relative_sigma is -1"));
+  CHECK(contains(message_of(mesh, number_of_target_faces(std::size_t(-1))), "(-1 as an unsigned number)"));
+  CHECK(contains(message_of(mesh, number_of_target_faces(nan_value)), "number_of_target_faces is nan"));
+  for (const double bad : {-1., 0.5, 1e6 + 1, 1e300, nan_value, infinity, -infinity})
+  {
+    CHECK(contains(message_of(mesh, number_of_iterations(bad)), "number_of_iterations is "));
+    CHECK(contains(message_of(mesh, number_of_relaxation_steps(bad)), "number_of_relaxation_steps is "));
+  }
   CHECK(contains(message_of(mesh, number_of_iterations(-1)), "number_of_iterations is -1"));
   CHECK(contains(message_of(mesh, number_of_relaxation_steps(-1)), "number_of_relaxation_steps is -1"));
+  CHECK(contains(message_of(mesh, number_of_iterations(-1u)), "(-1 as an unsigned number)"));
   CHECK(contains(message_of(mesh, smoothing_ratio(1.01)), "smoothing_ratio is 1.01"));
   CHECK(contains(message_of(mesh, collapse_ratio(1.5)), "collapse_ratio is 1.5"));
   CHECK(contains(message_of(mesh, split_ratio(0.9)), "split_ratio is 0.9"));
@@ -192,6 +199,89 @@ void test_extreme_parameters()
   remesh("contract all that is shorter", collapse_ratio(1).split_ratio(1));
   remesh("huge length", target_edge_length(1e10));
   remesh("sigma tiny", sigma(1e-300));
+}
+
+// without an iteration the vertices are projected, whatever error is asked for
+void test_no_iterations()
+{
+  using namespace CGAL::parameters;
+  const Mesh input = ellipsoid(2);
+  const double D = bounding_box_diagonal(input);
+  const auto remesh = [&](const double relative_error)
+  {
+    Mesh mesh = input;
+    const Hde::Remeshing_result result = CGAL::anisotropic_hde_remeshing<Tag>(
+        mesh, Ellipsoid_function(), number_of_iterations(0).relative_approximation_error(relative_error));
+    CHECK(mesh.number_of_faces() == input.number_of_faces());
+    CHECK(result.number_of_splits == 0 && result.number_of_collapses == 0 && result.number_of_flips == 0);
+    CHECK(result.number_of_faces == input.number_of_faces());
+    return result;
+  };
+  const Hde::Remeshing_result strict = remesh(1e-5), mild = remesh(0.5);
+  CHECK(strict.approximation_error > 1e-5 * D);
+  CHECK(strict.binding_target != Hde::Target::APPROXIMATION_ERROR);
+  CHECK(mild.approximation_error <= 0.5 * D);
+  CHECK(mild.binding_target == Hde::Target::APPROXIMATION_ERROR);
+}
+
+// more than the indices have room for: the numbers only, as no one has the memory
+void test_size_limits()
+{
+  namespace internal = Hde::internal;
+  CHECK_NO_THROW(internal::check_number_of_halfedges(3 * std::size_t(1400000000)));
+  CHECK_THROWS(internal::check_number_of_halfedges(std::size_t(1) << 32), std::length_error);
+  CHECK_THROWS(internal::check_number_of_halfedges(6 * std::size_t(1000000000)), std::length_error);
+  CHECK_NO_THROW(internal::check_number_of_fitted_faces(238e6));
+  CHECK_THROWS(internal::check_number_of_fitted_faces(239e6), std::length_error);
+  // growing by the factor 4 from 5e8 faces ends before the indices do, and never below zero
+  const double room = internal::room_for_splits(3 * std::size_t(500000000));
+  CHECK(room > 4e8 && 3 * 5e8 + 6 * room <= double(internal::largest_number_of_halfedges));
+  CHECK(internal::room_for_splits(internal::largest_number_of_halfedges) == 0);
+  CHECK(internal::room_for_splits(internal::largest_number_of_halfedges + 100) == 0);
+  // before anything is computed
+  Mesh mesh = icosphere(1);
+  CHECK_THROWS(CGAL::anisotropic_hde_remeshing<Tag>(mesh, Sphere_function(),
+                                                    CGAL::parameters::number_of_target_faces(300000000).fit_to_surface(true)),
+               std::length_error);
+  CHECK(digest(mesh) == digest(icosphere(1)));
+}
+
+// what the result says of itself
+void test_warnings()
+{
+  Hde::Remeshing_result result;
+  CHECK(result.warnings().empty());
+  const auto misses = [&](const std::size_t asked, const std::size_t got)
+  {
+    result.number_of_target_faces = asked;
+    result.number_of_faces = got;
+    CHECK(result.misses_number_of_faces() == !result.warnings().empty());
+    return result.misses_number_of_faces();
+  };
+  CHECK(!misses(1000, 1000) && !misses(1000, 990) && !misses(1000, 1010) && !misses(10, 12) && !misses(0, 12));
+  CHECK(misses(1000, 988) && misses(1000, 1012) && misses(10, 13));
+  result.approximation_error = 1e-3; // as few faces as keep it
+  CHECK(!misses(1000, 500) && misses(1000, 1012));
+
+  // what the constraints keep is more than is asked for
+  Mesh mesh = ellipsoid(2);
+  const std::size_t n = mesh.number_of_faces();
+  auto is_constrained = mesh.add_property_map<Mesh::Vertex_index, bool>("v:is_constrained", true).first;
+  result = CGAL::anisotropic_hde_remeshing<Tag>(
+      mesh, Ellipsoid_function(), CGAL::parameters::number_of_target_faces(n / 2).vertex_is_constrained_map(is_constrained));
+  CHECK(result.number_of_target_faces == n / 2);
+  CHECK(result.number_of_faces == number_of_faces_of(mesh));
+  CHECK(result.misses_number_of_faces());
+  CHECK(result.number_of_needles == 0);
+
+  // a needle that cannot go: two of its vertices are constrained
+  Mesh needle;
+  CGAL::make_triangle(Point_3(1, 0, 0), Point_3(1, 1e-5, 0), Point_3(0, 0, 1), needle);
+  result = CGAL::anisotropic_hde_remeshing<Tag>(needle, Sphere_function(),
+                                                CGAL::parameters::number_of_iterations(0).vertex_is_constrained_map(
+                                                    CGAL::Static_boolean_property_map<Mesh::Vertex_index, true>()));
+  CHECK(result.number_of_faces == 1 && result.number_of_needles == 1);
+  CHECK(result.warnings().size() == 1 && contains(result.warnings().front(), "1 of 1 faces are needles"));
 }
 
 struct Stop : std::runtime_error
@@ -278,6 +368,9 @@ int main()
   test_bad_geometry();
   test_invalid_parameters();
   test_extreme_parameters();
+  test_no_iterations();
+  test_size_limits();
+  test_warnings();
   test_failing_functions();
   return check_summary();
 }

@@ -43,6 +43,7 @@ struct Report
   Figures before, after;
   std::optional<Hde::Distance_measures> distance;     // first: the output, second: the input
   std::vector<std::pair<std::string, double>> stages; // their names and wall times in seconds
+  std::vector<std::string> warnings;                  // a line each
 };
 
 // for people

@@ -34,10 +34,12 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <iomanip>
 #include <iostream>
 #include <limits>
 #include <new>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -46,11 +48,14 @@ namespace hde_remesh {
 
 namespace {
 
-void note(const Options& options, const std::string& text)
+void tell(const Options& options, const char* kind, const std::string& text)
 {
   if (!options.quiet)
-    std::cerr << "hde_remesh: note: " << text << std::endl;
+    std::cerr << "hde_remesh: " << kind << ": " << text << std::endl;
 }
+
+void note(const Options& options, const std::string& text) { tell(options, "note", text); }
+void warn(const Options& options, const std::string& text) { tell(options, "warning", text); }
 
 // that a file which an option names, if it does, can be written and is neither IN nor OUT
 void check_file_beside(const char* option, const std::string& name, const Options& options)
@@ -189,6 +194,19 @@ void describe(const Options& options, const Checked_mesh& input, const Sizes& si
   report.pieces = remeshed.pieces;
 }
 
+// what is no error, but no one expects
+void add_warnings(Report& report)
+{
+  static constexpr double largest_distance = 0.02; // of the diagonal
+  report.warnings = report.result.warnings();
+  if (report.distance && !(report.distance->max() <= largest_distance * report.diagonal))
+  {
+    std::ostringstream text;
+    text << "IN and OUT are up to " << std::setprecision(2) << report.distance->max() / report.diagonal << " D apart";
+    report.warnings.push_back(text.str());
+  }
+}
+
 void write_beside(const std::string& file_name, const std::string& text)
 {
   try
@@ -262,10 +280,13 @@ void run(const Options& options)
   progress.stage("measuring");
   describe(options, input, sizes, remeshed, report);
   measure_all(input.mesh, remeshed, options, report);
+  add_warnings(report);
   end_stage("measuring", stopwatch.lap());
   if (!options.report.empty())
     write_page(report, input.mesh, remeshed, options);
   progress.clear();
+  for (const std::string& warning : report.warnings)
+    warn(options, warning);
   print(report, options);
 }
 

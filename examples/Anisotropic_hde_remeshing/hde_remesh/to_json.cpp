@@ -143,7 +143,8 @@ Json to_json(const Hde::Remeshing_result& result)
           {"projections_newton", result.projections.newton},
           {"projections_bisection", result.projections.bisection},
           {"projections_closest_point", result.projections.closest_point},
-          {"unprojected_vertices", result.number_of_unprojected_vertices}};
+          {"unprojected_vertices", result.number_of_unprojected_vertices},
+          {"needles", result.number_of_needles}};
 }
 
 Json to_json(const Hde::Distance_measures& m)
@@ -192,6 +193,7 @@ std::string to_json(const Report& report)
     json["error_bound"] = report.result.approximation_error;
     json["error_is_kept"] = report.result.approximation_error <= *report.error * (1 + 1e-12);
   }
+  json["warnings"] = report.warnings;
   json["target_edge_length"] = report.result.target_edge_length;
   json["before"] = to_json(report.before);
   json["after"] = to_json(report.after);

@@ -11,7 +11,10 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <string>
+#include <vector>
 
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
@@ -52,6 +55,12 @@ struct Feature_curves
 
 /// \ingroup PkgAnisotropicHdeRemeshingRef
 ///
+/// Faces with a larger aspect ratio \f$ R / (2 r) \f$, circumradius over twice the inradius, are called needles: hardly any
+/// computation has a use for them, and no metric that follows a curvature asks for them.
+constexpr double needle_aspect_ratio = 1000;
+
+/// \ingroup PkgAnisotropicHdeRemeshingRef
+///
 /// what `CGAL::anisotropic_hde_remeshing()` did, and with which parameters where it chose them itself
 struct Remeshing_result
 {
@@ -62,6 +71,11 @@ struct Remeshing_result
   /// the unit of the mesh, if an error was asked for: at most that, unless the number of faces was reached first; infinite where
   /// the function does not lead to a surface, and if the visitor stopped it
   double approximation_error = 0;
+  /// how many faces were aimed at: `number_of_target_faces`, or as many as there were; with an error, the most that were allowed;
+  /// 0 if a length was asked for, or an error alone
+  std::size_t number_of_target_faces = 0;
+  std::size_t number_of_faces = 0;       ///< that the remeshed faces have become, 0 if the mesh stays as it was
+  std::size_t number_of_needles = 0;     ///< of these, those with an aspect ratio of more than `needle_aspect_ratio`
   unsigned int number_of_iterations = 0; ///< the iterations done
   std::size_t number_of_splits = 0;
   std::size_t number_of_collapses = 0;
@@ -83,6 +97,31 @@ struct Remeshing_result
   double flip_seconds = 0;              ///< wall time of the flips
   double smoothing_seconds = 0;         ///< wall time of the smoothing
   double output_seconds = 0;            ///< wall time of `Stage::OUTPUT`
+
+  /// Whether the number of faces is not the one aimed at: it differs by more than 1% of it, and by more than two faces. With an
+  /// error, only if there are more than allowed.
+  bool misses_number_of_faces() const
+  {
+    if (number_of_target_faces == 0 || number_of_faces == 0 || was_stopped)
+      return false;
+    const double difference = double(number_of_faces) - double(number_of_target_faces);
+    const double allowed = (std::max)(0.01 * double(number_of_target_faces), 2.);
+    return difference > allowed || (difference < -allowed && !(approximation_error > 0));
+  }
+
+  /// what a caller should know before using the mesh, a line for each: that the number of faces is missed, and that there are
+  /// needles; empty if all is well. The distance to the input is not known here, see `measure_distance()`.
+  std::vector<std::string> warnings() const
+  {
+    std::vector<std::string> result;
+    if (misses_number_of_faces())
+      result.push_back("there are " + std::to_string(number_of_faces) + " faces, not about " +
+                       std::to_string(number_of_target_faces) + " as asked for");
+    if (number_of_needles > 0)
+      result.push_back(std::to_string(number_of_needles) + " of " + std::to_string(number_of_faces) +
+                       " faces are needles, with an aspect ratio above " + std::to_string(int(needle_aspect_ratio)));
+    return result;
+  }
 };
 
 } // namespace Anisotropic_hde_remeshing

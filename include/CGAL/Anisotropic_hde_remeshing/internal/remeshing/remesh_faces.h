@@ -16,6 +16,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_result.h>
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_visitor.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/Interruption.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/aspect_ratio.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/check_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/pieces.h>
@@ -99,6 +100,19 @@ std::vector<Input_location> locations_on_input(const Mesh& mesh, const Input_sur
   return result;
 }
 
+// faces that no one will like
+template <typename Mesh>
+std::size_t number_of_needles(const Mesh& mesh)
+{
+  std::size_t number = 0;
+  for (const Face_index f : mesh.faces())
+  {
+    const Triangle t(mesh.halfedge(f), mesh);
+    number += aspect_ratio(mesh.point(t.a).point, mesh.point(t.b).point, mesh.point(t.c).point) > needle_aspect_ratio ? 1 : 0;
+  }
+  return number;
+}
+
 // loads the faces, remeshes them and stores them
 template <typename ConcurrencyTag, typename FaceRange, typename TriangleMesh, typename Function, typename NamedParameters,
           typename CreaseMaps>
@@ -152,6 +166,10 @@ Remeshing_result remesh_faces(const FaceRange& faces, TriangleMesh& tmesh, const
   Real_timer timer;
   timer.start();
   visitor.stage_started(Stage::OUTPUT);
+  if (!target.is_length_given() && target.number_of_faces() < double(largest_number_of_faces))
+    result.number_of_target_faces = std::size_t(target.number_of_faces());
+  result.number_of_faces = mesh.number_of_faces();
+  result.number_of_needles = number_of_needles(mesh);
   std::vector<Input_location> locations;
   if constexpr (is_given<NamedParameters, internal_np::vertex_location_map_t>)
     locations = locations_on_input<ConcurrencyTag>(mesh, input, origin);
