@@ -182,8 +182,8 @@ none looks against the normals at its vertices more than those before it, and th
 more than 143 degrees; no face is degenerate that was not. Vertices that are not on the zero set are counted in the result. With
 `do_self_intersection_tests`, the result has no self-intersection that the input does not have. The result does not depend on the
 number of threads. Anything else is refused before `tmesh` is touched; if an exception is thrown, it is as it was, and so are the
-values of the property maps at its elements, but those of `vertex_location_map`. Property maps that `tmesh` itself keeps are written
-when nothing can fail any more; others, which may throw, while the old elements are still there, and then put back.
+values of the property maps at its elements, but those of `vertex_location_map`. Property maps that `tmesh` itself keeps are
+written when nothing can fail any more; others, which may throw, while the old elements are still there, and then put back.
 
 If constraints are given, constrained vertices, the ends, branchings and turns mentioned above, and protected edges keep their
 descriptors; if none are given, all elements are replaced: descriptors become invalid, and isolated vertices are dropped.
@@ -259,8 +259,8 @@ descriptors; if none are given, all elements are replaced: descriptors become in
     \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_iterations}
-    \cgalParamDescription{how often the sequence of operations is done; 0 only projects the vertices, and measures the error, if one
-                          is asked for, without refining}
+    \cgalParamDescription{how often the sequence of operations is done; 0 only projects the vertices, and measures the
+                          error, if one is asked for, without refining}
     \cgalParamType{an integer from 0 to 1,000,000}
     \cgalParamDefault{10}
   \cgalParamNEnd
@@ -344,8 +344,8 @@ descriptors; if none are given, all elements are replaced: descriptors become in
 \throw std::invalid_argument if `tmesh` has no faces, a face that is not a triangle, a vertex that is not manifold, or
        coordinates that are not finite, if `function` is piecewise and the patch of a face is not the number of a piece, or if a
        parameter is out of its range; the message names it and its value
-\throw std::length_error if the indices have no room: for more than \f$ 2^{32} - 2 \f$ halfedges, those of the boundary included, and
-       with `fit_to_surface` for more than 238,609,294 faces
+\throw std::length_error if the indices have no room: for more than \f$ 2^{32} - 2 \f$ halfedges, those of the boundary
+       included, and with `fit_to_surface` for more than 238,609,294 faces
 
 \sa `Anisotropic_hde_remeshing::detect_surface_regions()`
 */
@@ -375,9 +375,10 @@ not use `vertex_normal_map`.
     \cgalParamDescription{the least angle between the normals of two faces, in degrees, at which their edge is a crease; noise
                           is dropped. The edges of `edge_is_constrained_map` and those between two patches of `face_patch_map`
                           are creases, too, whatever their angle; in the end, the first map is set for the edges on all creases,
-                          the second one keeps the patches. With `protect_constraints` the creases are marked, too. Where only some faces are
-                          remeshed, these are the creases inside them. For machine parts 20 to 40 are good. (CGAL's parameter
-                          `sharpness_angle` is another one: the width, 0 to 90 degrees, of a weight for the normals of neighbouring points.)}
+                          the second one keeps the patches. With `protect_constraints` the creases are marked, too. Where only
+                          some faces are remeshed, these are the creases inside them. For machine parts 20 to 40 are good.
+                          (CGAL's parameter `sharpness_angle` is another one: the width, 0 to 90 degrees, of a weight for the
+                          normals of neighbouring points.)}
     \cgalParamType{a number of more than 0 and less than 180}
     \cgalParamDefault{the surface is smooth everywhere}
   \cgalParamNEnd
@@ -410,8 +411,8 @@ Anisotropic_hde_remeshing::Remeshing_result anisotropic_hde_remeshing(TriangleMe
 remeshes some faces of a mesh only. All else is untouched and keeps its descriptors, the edges where it meets these faces, too.
 `number_of_target_faces` counts the faces of the range; relative lengths refer to the whole mesh.
 
-\tparam FaceRange a range of `boost::graph_traits<TriangleMesh>::%face_descriptor`: what has a begin and an end, such as a container,
-        `CGAL::Iterator_range`, or a span or view of C++20
+\tparam FaceRange a range of `boost::graph_traits<TriangleMesh>::%face_descriptor`: what has a begin and an end, such as a
+        container, `CGAL::Iterator_range`, or a span or view of C++20
 */
 template <typename ConcurrencyTag = Sequential_tag, typename FaceRange, typename TriangleMesh, typename Function,
           typename NamedParameters = parameters::Default_named_parameters,
