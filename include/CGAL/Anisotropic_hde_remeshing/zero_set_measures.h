@@ -20,13 +20,37 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/pieces.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 
 namespace internal {
+
+// Vertices from which no way leads to the zero set are no further from it than by way of a neighbour.
+inline void bound_by_neighbors(const Measured_mesh& mesh, std::vector<double>& of_vertices)
+{
+  bool has_changed = true;
+  const auto bound = [&](const std::size_t v, const std::size_t neighbor)
+  {
+    if (std::isfinite(of_vertices[v]) || !std::isfinite(of_vertices[neighbor]))
+      return;
+    of_vertices[v] = (mesh.points[v] - mesh.points[neighbor]).norm() + of_vertices[neighbor];
+    has_changed = true;
+  };
+  while (has_changed)
+  {
+    has_changed = false;
+    for (const std::pair<std::size_t, std::size_t>& edge : mesh.edges)
+    {
+      bound(edge.first, edge.second);
+      bound(edge.second, edge.first);
+    }
+  }
+}
 
 // of the i-th point; `of_vertices` has the distances of the vertices
 template <typename Function>
@@ -52,8 +76,8 @@ double distance_of_sample(const Area_sampler& sampler, const std::size_t i, cons
 
 A distance is that to a point of the zero set, which Newton's method finds along the gradient, and steps along the tangent planes
 the nearest one about it: it is not less than the true distance, and the same up to a ten-thousandth wherever the nearest point
-of the zero set is found. Where neither leads to the zero set, the sum of the distances to the nearest vertex of the face and from
-there to the zero set counts. It is infinite where there is none.
+of the zero set is found. Where neither leads to the zero set, the sum of the distances to a neighbouring vertex and from there to
+the zero set counts. It is infinite where no vertex about has found it.
 
 The points sampled on the faces are spread evenly over the area, without random numbers: a second call gives the same
 result, as does another number of threads.
@@ -90,6 +114,7 @@ Zero_set_measures measure_distance_to_zero_set(const TriangleMesh& tmesh, const 
                                              const auto& piece = internal::piece(f, mesh.point_regions[v]);
                                              of_vertices[v] = internal::zero_set_distance(piece, size)(mesh.points[v]);
                                            });
+    internal::bound_by_neighbors(mesh, of_vertices);
     const internal::Area_sampler sampler(mesh, number_of_samples);
     const internal::Rms_and_max of_faces =
         internal::rms_and_max<ConcurrencyTag>(sampler.size(), [&](const std::size_t i)
