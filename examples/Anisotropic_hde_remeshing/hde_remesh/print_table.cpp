@@ -183,9 +183,9 @@ private:
     m_stream << "projections: " << result.projections.newton << " by Newton's method, " << result.projections.bisection
              << " by bisection, " << result.projections.closest_point << " by the closest point of the input\n";
     if (result.number_of_unprojected_vertices > 0)
-      m_stream
-          << result.number_of_unprojected_vertices
-          << " vertices are near the surface only: the last way to it would have folded a face or made it intersect others\n";
+      m_stream << result.number_of_unprojected_vertices
+               << " vertices are not on the surface: no way leads there, or the last one would fold a face or make it "
+                  "intersect others\n";
     m_stream << "D = " << number(m_report.diagonal, 6) << ", the diagonal of the bounding box\n";
     m_stream << m_report.input << " -> " << m_report.output << '\n';
   }

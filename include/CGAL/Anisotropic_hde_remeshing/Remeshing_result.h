@@ -39,8 +39,7 @@ enum class Target
   APPROXIMATION_ERROR, ///< the error
   FEATURE_CURVES,      ///< none: the number of faces was missed by more than 1%, and most of them are at creases, boundaries or
                        ///< constraints, which need their vertices
-  GUARDS ///< none: it was missed by more than 1%, since what was left to do would have folded or flattened faces, or
-         ///< changed the topology
+  GUARDS ///< none: the same, but what was left to do would have folded or flattened faces, or changed the topology
 };
 
 /// \ingroup PkgAnisotropicHdeRemeshingRef
@@ -64,9 +63,10 @@ constexpr double needle_aspect_ratio = 1000;
 /// what `CGAL::anisotropic_hde_remeshing()` did, and with which parameters where it chose them itself
 struct Remeshing_result
 {
-  double sigma = 0;                                ///< the weight of the normals, in the unit of the mesh
-  double target_edge_length = 0;                   ///< the 6D edge length aimed at in the end, in the unit of the mesh
-  Target binding_target = Target::NUMBER_OF_FACES; ///< which of the targets given was reached first
+  double sigma = 0;              ///< the weight of the normals, in the unit of the mesh
+  double target_edge_length = 0; ///< the 6D edge length aimed at in the end, in the unit of the mesh
+  Target binding_target =
+      Target::NUMBER_OF_FACES; ///< which of the targets given was reached first, or what kept the mesh from it
   /// the bound that was found on the distance between the faces, but those at boundary and constrained curves, and the surface, in
   /// the unit of the mesh, if an error was asked for: at most that, unless the number of faces was reached first; infinite where
   /// the function does not lead to a surface, and if the visitor stopped it
@@ -116,11 +116,25 @@ struct Remeshing_result
     std::vector<std::string> result;
     if (misses_number_of_faces())
       result.push_back("there are " + std::to_string(number_of_faces) + " faces, not about " +
-                       std::to_string(number_of_target_faces) + " as asked for");
+                       std::to_string(number_of_target_faces) + " as asked for" + reason());
     if (number_of_needles > 0)
       result.push_back(std::to_string(number_of_needles) + " of " + std::to_string(number_of_faces) +
                        " faces are needles, with an aspect ratio above " + std::to_string(int(needle_aspect_ratio)));
     return result;
+  }
+
+private:
+  std::string reason() const
+  {
+    switch (binding_target)
+    {
+    case Target::FEATURE_CURVES:
+      return ": creases, boundaries and constraints need them";
+    case Target::GUARDS:
+      return ": what is left to do would fold or flatten faces, or change the topology";
+    default:
+      return "";
+    }
   }
 };
 

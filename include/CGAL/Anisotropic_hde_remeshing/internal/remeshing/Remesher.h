@@ -142,7 +142,9 @@ public:
     if (!m_projector.project_exactly(m_interruption)) // most of the vertices are exact already, and the caller waits
     {
       Interruption never;
-      m_projector.project_exactly([&](const Vertex_index v) { return !m_projection.is_exact(m_mesh.point(v)); }, never);
+      const auto is_due = [&](const Vertex_index v)
+      { return !m_projection.is_exact(m_mesh.point(v)) || m_mesh.point(v).is_on_input; };
+      m_projector.project_exactly(is_due, never);
     }
     if (m_interruption.is_requested())
     {
