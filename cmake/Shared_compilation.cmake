@@ -28,7 +28,8 @@ if(CGAL_AHR_WITH_SHARED_COMPILATION)
     <boost/geometry/algorithms/intersects.hpp>
     <boost/geometry/geometries/box.hpp>
     <boost/geometry/geometries/point.hpp>
-    <boost/geometry/index/rtree.hpp>)
+    <boost/geometry/index/rtree.hpp>
+    <boost/geometry/strategies/strategies.hpp>)
   if(CGAL_AHR_WITH_TBB AND TARGET CGAL::TBB_support)
     list(APPEND precompiled_headers <tbb/parallel_for.h> <tbb/parallel_sort.h>)
   endif()

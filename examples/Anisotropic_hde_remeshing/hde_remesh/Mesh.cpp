@@ -243,19 +243,23 @@ const char* name_of_field = "v:hde_remesh_field";
 const char* name_of_creases = "e:hde_remesh_crease";
 const char* name_of_regions = "f:hde_remesh_region";
 
+// CGAL 6 returns a std::optional, what came before it a pair of the map and whether it exists.
+template <typename Index, typename Value>
+std::optional<Mesh::Property_map<Index, Value>> find_property(const Mesh& mesh, const std::string& name)
+{
+  const auto found = mesh.property_map<Index, Value>(name);
+#if CGAL_VERSION_NR >= CGAL_VERSION_NUMBER(6, 0, 0)
+  return found;
+#else
+  return found.second ? std::make_optional(found.first) : std::nullopt;
+#endif
+}
+
 } // namespace
 
 Field add_field(Mesh& mesh) { return mesh.add_property_map<Mesh::Vertex_index, double>(name_of_field, 0.).first; }
 
-std::optional<Field> field_of(const Mesh& mesh)
-{
-#if CGAL_VERSION_NR >= CGAL_VERSION_NUMBER(6, 0, 0)
-  return mesh.property_map<Mesh::Vertex_index, double>(name_of_field);
-#else
-  const auto found = mesh.property_map<Mesh::Vertex_index, double>(name_of_field);
-  return found.second ? std::optional<Field>(found.first) : std::nullopt;
-#endif
-}
+std::optional<Field> field_of(const Mesh& mesh) { return find_property<Mesh::Vertex_index, double>(mesh, name_of_field); }
 
 Creases add_creases(Mesh& mesh)
 {
@@ -265,8 +269,8 @@ Creases add_creases(Mesh& mesh)
 
 Creases creases_of(const Mesh& mesh)
 {
-  return Creases{mesh.property_map<Mesh::Edge_index, bool>(name_of_creases).first,
-                 mesh.property_map<Mesh::Face_index, std::size_t>(name_of_regions).first};
+  return Creases{find_property<Mesh::Edge_index, bool>(mesh, name_of_creases).value(),
+                 find_property<Mesh::Face_index, std::size_t>(mesh, name_of_regions).value()};
 }
 
 } // namespace hde_remesh
