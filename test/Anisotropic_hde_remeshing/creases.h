@@ -11,13 +11,14 @@
 #ifndef CGAL_ANISOTROPIC_HDE_REMESHING_TEST_CREASES_H
 #define CGAL_ANISOTROPIC_HDE_REMESHING_TEST_CREASES_H
 
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
+#include <CGAL/version.h>
 #if CGAL_VERSION_NR >= CGAL_VERSION_NUMBER(6, 0, 0)
 #  include <CGAL/AABB_segment_primitive_3.h>
 #  include <CGAL/AABB_traits_3.h>
 #else
 #  include <CGAL/AABB_segment_primitive.h>
+#  include <CGAL/AABB_traits.h>
 #endif
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
