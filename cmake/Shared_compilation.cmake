@@ -9,36 +9,49 @@
 # What most examples and tests have in common, compiled once: the headers of others, and the remesher and the solver in their usual
 # types. share_compilation(TARGET) lets a program have part in it.
 
-if(CGAL_AHR_WITH_SHARED_COMPILATION)
-  add_library(shared_instantiations STATIC EXCLUDE_FROM_ALL "${CMAKE_CURRENT_LIST_DIR}/shared_instantiations.cpp")
-  target_link_libraries(shared_instantiations PUBLIC Anisotropic_hde_remeshing::Anisotropic_hde_remeshing)
-  target_compile_definitions(shared_instantiations PUBLIC CGAL_AHR_WITH_SHARED_INSTANTIATIONS)
-  # The package's own headers would have them compiled anew at every change.
-  set(precompiled_headers
-    <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-    <CGAL/Surface_mesh.h>
-    <CGAL/AABB_tree.h>
-    <CGAL/Orthogonal_k_neighbor_search.h>
-    <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
-    <CGAL/Polygon_mesh_processing/detect_features.h>
-    <CGAL/hilbert_sort.h>
-    <Eigen/Dense>
-    <Eigen/Sparse>
-    <boost/geometry/algorithms/covered_by.hpp>
-    <boost/geometry/algorithms/intersects.hpp>
-    <boost/geometry/geometries/box.hpp>
-    <boost/geometry/geometries/point.hpp>
-    <boost/geometry/index/rtree.hpp>
-    <boost/geometry/strategies/strategies.hpp>)
-  if(CGAL_AHR_WITH_TBB AND TARGET CGAL::TBB_support)
-    list(APPEND precompiled_headers <tbb/parallel_for.h> <tbb/parallel_sort.h>)
-  endif()
-  target_precompile_headers(shared_instantiations PRIVATE ${precompiled_headers})
+# The package's own headers would have them compiled anew at every change.
+set(precompiled_headers
+  <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+  <CGAL/Surface_mesh.h>
+  <CGAL/AABB_tree.h>
+  <CGAL/Orthogonal_k_neighbor_search.h>
+  <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+  <CGAL/Polygon_mesh_processing/detect_features.h>
+  <CGAL/hilbert_sort.h>
+  <Eigen/Dense>
+  <Eigen/Sparse>
+  <boost/geometry/algorithms/covered_by.hpp>
+  <boost/geometry/algorithms/intersects.hpp>
+  <boost/geometry/geometries/box.hpp>
+  <boost/geometry/geometries/point.hpp>
+  <boost/geometry/index/rtree.hpp>
+  <boost/geometry/strategies/strategies.hpp>)
+if(CGAL_AHR_WITH_TBB AND TARGET CGAL::TBB_support)
+  list(APPEND precompiled_headers <tbb/parallel_for.h> <tbb/parallel_sort.h>)
 endif()
 
+set(instantiations_dir "${CMAKE_CURRENT_LIST_DIR}/shared_instantiations")
+set(parallel_instantiations "${instantiations_dir}/parallel.cpp" "${instantiations_dir}/with_intersections.cpp")
+set(sequential_instantiations "${instantiations_dir}/sequential.cpp")
+
+if(CGAL_AHR_WITH_SHARED_COMPILATION)
+  add_library(shared_instantiations STATIC EXCLUDE_FROM_ALL ${parallel_instantiations})
+  target_link_libraries(shared_instantiations PUBLIC Anisotropic_hde_remeshing::Anisotropic_hde_remeshing)
+  target_compile_definitions(shared_instantiations PUBLIC CGAL_AHR_WITH_SHARED_INSTANTIATIONS)
+  target_precompile_headers(shared_instantiations PRIVATE ${precompiled_headers})
+  add_library(sequential_instantiations STATIC EXCLUDE_FROM_ALL ${sequential_instantiations})
+  target_link_libraries(sequential_instantiations PUBLIC shared_instantiations)
+  target_precompile_headers(sequential_instantiations REUSE_FROM shared_instantiations)
+endif()
+
+# share_compilation(TARGET [PARALLEL]): PARALLEL if it calls nothing with Sequential_tag
 function(share_compilation target)
   if(TARGET shared_instantiations)
-    target_link_libraries(${target} PRIVATE shared_instantiations)
+    if("PARALLEL" IN_LIST ARGN AND CGAL_AHR_WITH_TBB AND TARGET CGAL::TBB_support)
+      target_link_libraries(${target} PRIVATE shared_instantiations)
+    else()
+      target_link_libraries(${target} PRIVATE sequential_instantiations)
+    endif()
     target_precompile_headers(${target} REUSE_FROM shared_instantiations)
   endif()
 endfunction()

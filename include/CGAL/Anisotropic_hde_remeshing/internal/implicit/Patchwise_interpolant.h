@@ -323,7 +323,10 @@ Patchwise_interpolant<RadialFunction, ConcurrencyTag>::Patchwise_interpolant(Sam
 }
 
 #ifdef CGAL_AHR_WITH_SHARED_INSTANTIATIONS // cmake/Shared_compilation.cmake: compiled once for the package's own programs
-extern template class Patchwise_interpolant<Polyharmonic_rbf, Parallel_if_available_tag>;
+extern template class Patchwise_interpolant<Polyharmonic_rbf, Sequential_tag>;
+#  ifdef CGAL_LINKED_WITH_TBB
+extern template class Patchwise_interpolant<Polyharmonic_rbf, Parallel_tag>;
+#  endif
 #endif
 
 } // namespace internal

@@ -95,14 +95,18 @@ void remesh(Working_mesh<typename Embedding::Vertex_data>& mesh, const Embedding
 }
 
 #ifdef CGAL_AHR_WITH_SHARED_INSTANTIATIONS // cmake/Shared_compilation.cmake: compiled once for the package's own programs
-extern template void remesh<Parallel_if_available_tag>(Working_mesh<Normal_embedding::Vertex_data>&, const Normal_embedding&,
-                                                       const Surface_function&, const Input_surface&, No_intersections&, double,
-                                                       double, Visitor_reference, Interruption&, const Remeshing_parameters&,
-                                                       Target_length, Remeshing_result&);
-extern template void remesh<Parallel_if_available_tag>(Working_mesh<Curvature_metric::Vertex_data>&, const Curvature_metric&,
-                                                       const Surface_function&, const Input_surface&, No_intersections&, double,
-                                                       double, Visitor_reference, Interruption&, const Remeshing_parameters&,
-                                                       Target_length, Remeshing_result&);
+#  define CGAL_AHR_REMESH(ConcurrencyTag, Embedding, Intersections)                                                            \
+    template void remesh<ConcurrencyTag>(Working_mesh<Embedding::Vertex_data>&, const Embedding&, const Surface_function&,     \
+                                         const Input_surface&, Intersections&, double, double, Visitor_reference,              \
+                                         Interruption&, const Remeshing_parameters&, Target_length, Remeshing_result&)
+typedef Mesh_intersections<Working_mesh<Normal_embedding::Vertex_data>> Intersections_with_normals;
+extern CGAL_AHR_REMESH(Sequential_tag, Normal_embedding, No_intersections);
+extern CGAL_AHR_REMESH(Sequential_tag, Curvature_metric, No_intersections);
+#  ifdef CGAL_LINKED_WITH_TBB
+extern CGAL_AHR_REMESH(Parallel_tag, Normal_embedding, No_intersections);
+extern CGAL_AHR_REMESH(Parallel_tag, Curvature_metric, No_intersections);
+#  endif
+extern CGAL_AHR_REMESH(Parallel_if_available_tag, Normal_embedding, Intersections_with_normals);
 #endif
 
 } // namespace internal

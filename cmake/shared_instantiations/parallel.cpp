@@ -1,0 +1,26 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+// What the headers declare as compiled elsewhere, where CGAL_AHR_WITH_SHARED_INSTANTIATIONS is defined: the parallel
+// remesher.
+
+#include <CGAL/anisotropic_hde_remeshing.h>
+
+namespace CGAL {
+namespace Anisotropic_hde_remeshing {
+namespace internal {
+
+#ifdef CGAL_LINKED_WITH_TBB
+template class Patchwise_interpolant<Polyharmonic_rbf, Parallel_tag>;
+CGAL_AHR_REMESH(Parallel_tag, Normal_embedding, No_intersections);
+CGAL_AHR_REMESH(Parallel_tag, Curvature_metric, No_intersections);
+#endif
+
+} // namespace internal
+} // namespace Anisotropic_hde_remeshing
+} // namespace CGAL
