@@ -8,12 +8,14 @@
 # Author(s)     : The Anisotropic_hde_remeshing developers
 
 # Builds all headers, examples and tests with other compilers, standards and versions of CGAL, with and without TBB, warnings
-# being errors. Nothing is installed but compilers: CGAL is unpacked from the packages of several suites of Debian.
+# being errors. Nothing is installed but compilers: CGAL, Boost and Eigen are unpacked from the packages of several suites of
+# Debian, whose users have these versions together.
 # Usage: scripts/build_elsewhere.sh [CONFIGURATION... | pairs | all]
 # A configuration is COMPILER,STANDARD,SUITE,TBB, for example clang++,20,trixie,OFF. `pairs`, the default, are six of them, in which
 # each compiler, standard, version of CGAL, and TBB or not, meets each of the others; `all` are 24.
-# BUILD_DIR (default build/elsewhere), JOBS (default 2), TARGETS (default all public_headers) and TESTS, a regular expression of the
-# tests that are run (default none: without optimisation they are slow) may be set in the environment.
+# BUILD_DIR (default build/elsewhere), JOBS (default 2), TARGETS (default all public_headers; syntax_check compiles all programs,
+# but makes none, which is much faster), SHARED (default OFF; ON: the programs share instantiations) and TESTS, a regular expression
+# of the tests that are run (default none: without optimisation they are slow) may be set in the environment.
 
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -41,35 +43,45 @@ all_configurations() {
   done
 }
 
-# unpack_cgal SUITE: the package libcgal-dev of another suite, by an apt of its own that leaves the system's alone; prints its
-# folder
-unpack_cgal() {
-  local suite=$1 folder uri options
-  folder=$(realpath "$build_dir")/cgal-$suite
-  if [[ ! -d $folder/usr ]]; then
+# unpack_headers SUITE: those of CGAL, Boost and Eigen of another suite, by an apt of its own that leaves the system's alone; prints
+# their folder
+unpack_headers() {
+  local suite=$1 folder uri options boost package
+  folder=$(realpath "$build_dir")/headers-$suite
+  if [[ ! -e $folder/complete ]]; then
     mkdir -p "$folder"/{lists/partial,cache/archives/partial}
     uri=$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' 'Component: main' 'Origin: Debian' \
       "Codename: $(. /etc/os-release && echo "$VERSION_CODENAME")" | head -n 1)
     echo "deb [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] $uri $suite main" > "$folder/sources.list"
-    options=(-q -o "Dir::Etc::SourceList=$folder/sources.list" -o Dir::Etc::SourceParts=/dev/null
+    # what is installed must not count
+    options=(-q -o "Dir::Etc::SourceList=$folder/sources.list" -o Dir::Etc::SourceParts=/dev/null -o Dir::State::Status=/dev/null
       -o "Dir::State::Lists=$folder/lists" -o "Dir::Cache=$folder/cache" -o APT::Sandbox::User="$(id -un)")
-    apt-get "${options[@]}" update >&2
-    (cd "$folder" && apt-get "${options[@]}" download libcgal-dev >&2)
-    dpkg-deb --extract "$folder"/libcgal-dev_*.deb "$folder"
+    apt-get "${options[@]}" update >&2 || return
+    boost=$(apt-cache "${options[@]}" depends libboost-dev | sed -n 's/^ *Depends: \(libboost.*-dev\)$/\1/p')
+    (cd "$folder" && apt-get "${options[@]}" download libcgal-dev libeigen3-dev "$boost" >&2) || return
+    for package in "$folder"/*.deb; do
+      dpkg-deb --extract "$package" "$folder" || return
+    done
+    touch "$folder/complete"
   fi
-  echo "$folder"
+  echo "$folder/usr"
+}
+
+# version_of HEADER MACRO: what it defines the macro as
+version_of() {
+  sed -n "s/^ *# *define $2 //p" "$1" | tail -n 1 | tr -d '"' | tr _ .
 }
 
 # build CONFIGURATION
 build() {
-  local compiler standard suite tbb folder config status=0
+  local compiler standard suite tbb folder status=0
   IFS=, read -r compiler standard suite tbb <<< "$1"
-  folder=$(unpack_cgal "$suite")
+  folder=$(unpack_headers "$suite") || return
   unpack_cgal_data "$build_dir/$1"
-  config=$(find "$folder/usr" -name CGALConfig.cmake | head -n 1)
-  echo "Building $1 with CGAL $(sed -n 's/^#define CGAL_VERSION \(.*\)/\1/p' "$folder/usr/include/CGAL/version.h")"
+  echo "Building $1 with CGAL $(version_of "$folder/include/CGAL/version.h" CGAL_VERSION)," \
+    "Boost $(version_of "$folder/include/boost/version.hpp" BOOST_LIB_VERSION)"
   cmake -Wno-dev -S . -B "$build_dir/$1" -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_CXX_STANDARD="$standard" \
-    -DCGAL_DIR="$(dirname "$config")" -DCGAL_AHR_WITH_TBB="$tbb" -DCGAL_AHR_WITH_SHARED_COMPILATION=OFF \
+    -DCMAKE_PREFIX_PATH="$folder" -DCGAL_AHR_WITH_TBB="$tbb" -DCGAL_AHR_WITH_SHARED_COMPILATION="${SHARED:-OFF}" \
     -DCMAKE_COMPILE_WARNING_AS_ERROR=ON -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS=-O0 -DBUILD_TESTING=ON > "$build_dir/$1.log" || status=$?
   if ((status == 0)); then
     cmake --build "$build_dir/$1" -j "${JOBS:-2}" --target "${targets[@]}" -- --keep-going >> "$build_dir/$1.log" 2>&1 || status=$?

@@ -7,9 +7,9 @@
 # Author(s)     : The Anisotropic_hde_remeshing developers
 
 # Tests under tools that find what checks do not, a ctest label each: `address` (AddressSanitizer and UBSan), `thread`
-# (ThreadSanitizer), `fuzz` (libFuzzer, with both of the first), `memcheck` (valgrind), and `elsewhere` (another compiler and another
-# CGAL). They take minutes to compile. The fuzzers run some thousand inputs, the same each time, or CGAL_AHR_FUZZING_SECONDS on other
-# ones each time.
+# (ThreadSanitizer), `fuzz` (libFuzzer, with both of the first), `memcheck` (valgrind), and `elsewhere` (other compilers and versions
+# of CGAL). They take minutes to compile. The fuzzers run some thousand inputs, the same each time, or CGAL_AHR_FUZZING_SECONDS on
+# other ones each time. With CGAL_AHR_WITH_LONG_TESTS there are larger ones, labelled `long`, too.
 
 set(CGAL_AHR_FUZZING_SECONDS 0 CACHE STRING "how long each fuzzer runs, in seconds; 0: on the same inputs each time")
 
@@ -24,18 +24,27 @@ function(add_instrumented_test name label source)
   target_compile_options(${name} PRIVATE -O1 -g1 ${ARGN})
   target_link_options(${name} PRIVATE ${ARGN})
   add_test(NAME ${name} COMMAND ${name})
-  set_tests_properties(${name} PROPERTIES LABELS ${label} TIMEOUT 900)
+  set_tests_properties(${name} PROPERTIES LABELS "${label}" TIMEOUT 1800)
 endfunction()
 
 # with all assertions, CGAL's and Eigen's, too
 set(address_flags -UNDEBUG -fsanitize=address,${undefined_behaviour} -fno-sanitize-recover=all)
-add_instrumented_test(address_test_promises address test_promises.cpp ${address_flags})
-add_instrumented_test(address_test_constraints address test_remeshing_constraints.cpp ${address_flags})
+add_instrumented_test(address_test_addresses address addresses/test_addresses.cpp ${address_flags})
+if(CGAL_AHR_WITH_LONG_TESTS)
+  add_instrumented_test(address_test_promises "address;long" test_promises.cpp ${address_flags})
+  add_instrumented_test(address_test_constraints "address;long" test_remeshing_constraints.cpp ${address_flags})
+endif()
 
 if(CGAL_AHR_WITH_TBB AND TARGET CGAL::TBB_support)
   add_instrumented_test(thread_test_threads thread threads/test_threads.cpp -fsanitize=thread)
   target_include_directories(thread_test_threads BEFORE PRIVATE threads)
-  set_tests_properties(thread_test_threads PROPERTIES ENVIRONMENT "TSAN_OPTIONS=halt_on_error=1")
+  set(thread_tests thread_test_threads)
+  if(CGAL_AHR_WITH_LONG_TESTS)
+    add_test(NAME long_thread_test_threads COMMAND thread_test_threads all)
+    set_tests_properties(long_thread_test_threads PROPERTIES LABELS "thread;long" TIMEOUT 1800)
+    list(APPEND thread_tests long_thread_test_threads)
+  endif()
+  set_tests_properties(${thread_tests} PROPERTIES ENVIRONMENT "TSAN_OPTIONS=halt_on_error=1")
 endif()
 
 # what TBB's threads keep to the end may be reached
@@ -47,12 +56,20 @@ if(CGAL_AHR_VALGRIND)
   set_tests_properties(memcheck_test_simultaneous_moves PROPERTIES LABELS memcheck TIMEOUT 300)
 endif()
 
-# another compiler, a later standard, another version of CGAL, no TBB: the headers and an example, `elsewhere`.
-# scripts/build_elsewhere.sh builds all in all combinations.
+# What users of Debian 13 and of the next Debian have: all programs compile with other versions of CGAL, Boost and Eigen, with
+# another compiler, and without TBB, and with the first hde_remesh and a test run. scripts/build_elsewhere.sh builds all in all
+# combinations. add_test_elsewhere(NAME CONFIGURATION TARGETS TESTS)
+function(add_test_elsewhere name configuration targets tests)
+  add_test(NAME ${name} COMMAND "${PROJECT_SOURCE_DIR}/scripts/build_elsewhere.sh" ${configuration})
+  set_tests_properties(${name} PROPERTIES LABELS elsewhere TIMEOUT 1800 SKIP_RETURN_CODE 77 ENVIRONMENT
+    "BUILD_DIR=${CMAKE_CURRENT_BINARY_DIR}/elsewhere;SHARED=ON;TARGETS=${targets};TESTS=${tests}")
+endfunction()
+
 if(UNIX)
-  add_test(NAME elsewhere COMMAND "${PROJECT_SOURCE_DIR}/scripts/build_elsewhere.sh" clang++,20,forky,OFF)
-  set_tests_properties(elsewhere PROPERTIES LABELS elsewhere TIMEOUT 1800 SKIP_RETURN_CODE 77 ENVIRONMENT
-    "BUILD_DIR=${CMAKE_CURRENT_BINARY_DIR}/elsewhere;TARGETS=public_headers polyhedron_example;TESTS=example_polyhedron")
+  add_test_elsewhere(elsewhere_gcc_trixie g++,17,trixie,ON "hde_remesh test_transfer_vertex_property"
+    "^(hde_remesh_runs|test_transfer_vertex_property)$")
+  add_test_elsewhere(elsewhere_clang_trixie clang++,17,trixie,ON "syntax_check_examples syntax_check_tests" "")
+  add_test_elsewhere(elsewhere_clang_forky clang++,20,forky,OFF "syntax_check public_headers" "")
 endif()
 
 # libFuzzer is Clang's, whichever compiler builds the rest. Without TBB: one thread is enough.
