@@ -15,7 +15,8 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 program=$(command -v clang-format-14 || command -v clang-format || true)
 if [[ -z $program ]] || ! "$program" --version | grep -q 'version 14\.'; then
-  echo "clang-format 14 was not found (Debian 12: clang-format)" >&2
+  found=${program:+; this is $("$program" --version)}
+  echo "The format is not checked: that takes clang-format 14, which Debian 12 has${found}" >&2
   exit 77
 fi
 how=(--dry-run -Werror)

@@ -28,9 +28,18 @@ install_missing() {
   done
   if ((${#missing[@]} > 0)); then
     echo "Installing ${missing[*]}"
-    as_root apt-get update
+    [[ -n ${packages_are_listed:-} ]] || as_root apt-get update
+    packages_are_listed=yes
     as_root env DEBIAN_FRONTEND=noninteractive apt-get install --yes --no-install-recommends "${missing[@]}"
   fi
+}
+
+# can_be_installed NAME VERSION: whether apt-get has the package in a version that begins so
+can_be_installed() {
+  if ! command -v apt-cache > /dev/null; then
+    return 1
+  fi
+  apt-cache policy "$1" | grep -Eq "Candidate: ([0-9]+:)?$2[^0-9]"
 }
 
 as_root() {
@@ -82,4 +91,29 @@ absolute_paths() {
   for file in "$@"; do
     meshes+=("$(realpath "$file")")
   done
+}
+
+phases=()
+
+# phase NAME COMMAND...: runs it, and remembers for print_phases how long that took. `phase ... ||` goes on where it fails.
+phase() {
+  local name=$1 began=$SECONDS processor_began status
+  processor_began=$(processor_seconds)
+  shift
+  echo "==== $name"
+  "$@"
+  status=$?
+  phases+=("$(printf '%8d s %8d s   %s' $((SECONDS - began)) $(($(processor_seconds) - processor_began)) "$name")")
+  return $status
+}
+
+# processor_seconds: of this script and of what it has run; 0 where there is no /proc
+processor_seconds() {
+  awk '{ print int(($14 + $15 + $16 + $17) / 100) }' "/proc/$$/stat" 2> /dev/null || echo 0
+}
+
+print_phases() {
+  echo "    time  processor   phase"
+  printf '%s\n' "${phases[@]}"
+  printf '%8d s %8d s   all\n' $SECONDS "$(processor_seconds)"
 }
