@@ -55,7 +55,8 @@ unpack_headers() {
     echo "deb [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] $uri $suite main" > "$folder/sources.list"
     # what is installed must not count
     options=(-q -o "Dir::Etc::SourceList=$folder/sources.list" -o Dir::Etc::SourceParts=/dev/null -o Dir::State::Status=/dev/null
-      -o "Dir::State::Lists=$folder/lists" -o "Dir::Cache=$folder/cache" -o APT::Sandbox::User="$(id -un)")
+      -o "Dir::State::Lists=$folder/lists" -o "Dir::Cache=$folder/cache" -o APT::Sandbox::User="$(id -un)"
+      -o Acquire::Languages=none)
     apt-get "${options[@]}" update >&2 || return
     boost=$(apt-cache "${options[@]}" depends libboost-dev | sed -n 's/^ *Depends: \(libboost.*-dev\)$/\1/p')
     (cd "$folder" && apt-get "${options[@]}" download libcgal-dev libeigen3-dev "$boost" >&2) || return

@@ -8,7 +8,7 @@
 
 # Tests under tools that find what checks do not, a ctest label each: `address` (AddressSanitizer and UBSan), `thread`
 # (ThreadSanitizer), `fuzz` (libFuzzer, with both of the first), `memcheck` (valgrind), and `elsewhere` (other compilers and versions
-# of CGAL). They take minutes to compile. The fuzzers run some thousand inputs, the same each time, or CGAL_AHR_FUZZING_SECONDS on
+# of CGAL). They take minutes to compile. The fuzzers run a thousand inputs, the same each time, or CGAL_AHR_FUZZING_SECONDS on
 # other ones each time. With CGAL_AHR_WITH_LONG_TESTS there are larger ones, labelled `long`, too.
 
 set(CGAL_AHR_FUZZING_SECONDS 0 CACHE STRING "how long each fuzzer runs, in seconds; 0: on the same inputs each time")
@@ -112,12 +112,17 @@ function(add_fuzzer name largest_size)
   file(MAKE_DIRECTORY "${new_inputs}")
   set(duration -max_total_time=${CGAL_AHR_FUZZING_SECONDS})
   if(CGAL_AHR_FUZZING_SECONDS EQUAL 0)
-    set(duration -seed=1 -runs=2500 -reload=0)
+    # with those that were found before
+    set(number_of_runs 1000)
+    if(CGAL_AHR_WITH_LONG_TESTS)
+      set(number_of_runs 10000)
+    endif()
+    set(duration -seed=1 -runs=${number_of_runs} -reload=0)
   endif()
   add_test(NAME ${name}
     COMMAND "${CMAKE_CURRENT_BINARY_DIR}/${name}" ${duration} -max_len=${largest_size} -rss_limit_mb=4096 -timeout=60
       -print_final_stats=1 ${new_inputs} "${CMAKE_CURRENT_SOURCE_DIR}/fuzzing/${name}")
-  math(EXPR limit "${CGAL_AHR_FUZZING_SECONDS} + 600")
+  math(EXPR limit "${CGAL_AHR_FUZZING_SECONDS} + 1800")
   set_tests_properties(${name} PROPERTIES LABELS fuzz TIMEOUT ${limit})
 endfunction()
 
