@@ -83,7 +83,8 @@ build() {
     "Boost $(version_of "$folder/include/boost/version.hpp" BOOST_LIB_VERSION)"
   cmake -Wno-dev -S . -B "$build_dir/$1" -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_CXX_STANDARD="$standard" \
     -DCMAKE_PREFIX_PATH="$folder" -DCGAL_AHR_WITH_TBB="$tbb" -DCGAL_AHR_WITH_SHARED_COMPILATION="${SHARED:-OFF}" \
-    -DCMAKE_COMPILE_WARNING_AS_ERROR=ON -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS=-O0 -DBUILD_TESTING=ON > "$build_dir/$1.log" || status=$?
+    -DCMAKE_COMPILE_WARNING_AS_ERROR=ON -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS=-O0 -DBUILD_TESTING=ON \
+    > "$build_dir/$1.log" || status=$?
   if ((status == 0)); then
     cmake --build "$build_dir/$1" -j "${JOBS:-2}" --target "${targets[@]}" -- --keep-going >> "$build_dir/$1.log" 2>&1 || status=$?
   fi

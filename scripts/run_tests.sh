@@ -26,7 +26,7 @@ long_tests=OFF
 case ${1:-} in
   '') ;;
   --all) long_tests=ON ;;
-  *) sed -n 's/^# Usage: //p' "$0" >&2 && exit 2 ;;
+  *) sed -n "s/^# Usage: //p" scripts/run_tests.sh >&2 && exit 2 ;;
 esac
 kinds='address|thread|fuzz|memcheck'
 

@@ -7,9 +7,9 @@
 # Author(s)     : The Anisotropic_hde_remeshing developers
 
 # Tests under tools that find what checks do not, a ctest label each: `address` (AddressSanitizer and UBSan), `thread`
-# (ThreadSanitizer), `fuzz` (libFuzzer, with both of the first), `memcheck` (valgrind), and `elsewhere` (other compilers and versions
-# of CGAL). They take minutes to compile. The fuzzers run a thousand inputs, the same each time, or CGAL_AHR_FUZZING_SECONDS on
-# other ones each time. With CGAL_AHR_WITH_LONG_TESTS there are larger ones, labelled `long`, too.
+# (ThreadSanitizer), `fuzz` (libFuzzer, with both of the first), `memcheck` (valgrind), and `elsewhere` (other compilers and
+# versions of CGAL). They take minutes to compile. The fuzzers run a thousand inputs, the same each time, or
+# CGAL_AHR_FUZZING_SECONDS on other ones each time. With CGAL_AHR_WITH_LONG_TESTS there are larger ones, labelled `long`, too.
 
 set(CGAL_AHR_FUZZING_SECONDS 0 CACHE STRING "how long each fuzzer runs, in seconds; 0: on the same inputs each time")
 
@@ -17,18 +17,61 @@ set(CGAL_AHR_FUZZING_SECONDS 0 CACHE STRING "how long each fuzzer runs, in secon
 set(undefined_behaviour
   bounds,integer-divide-by-zero,float-cast-overflow,shift,signed-integer-overflow,return,bool,enum,unreachable)
 
-# add_instrumented_test(NAME LABEL SOURCE FLAG...)
-function(add_instrumented_test name label source)
-  add_executable(${name} ${source})
-  target_link_libraries(${name} PRIVATE Anisotropic_hde_remeshing::Anisotropic_hde_remeshing)
-  target_compile_options(${name} PRIVATE -O1 -g1 ${ARGN})
-  target_link_options(${name} PRIVATE ${ARGN})
-  add_test(NAME ${name} COMMAND ${name})
-  set_tests_properties(${name} PROPERTIES LABELS "${label}" TIMEOUT 1800)
+# Clang's programs under sanitizers take less time than GCC's, to compile, too: it makes them, whichever compiler makes the rest.
+find_program(CGAL_AHR_CLANG clang++)
+get_target_property(eigen_folders CGAL::Eigen3_support INTERFACE_INCLUDE_DIRECTORIES)
+set(clang_folders "${PROJECT_SOURCE_DIR}/include" "${CMAKE_CURRENT_SOURCE_DIR}" ${CGAL_INCLUDE_DIRS} ${eigen_folders})
+list(FILTER clang_folders EXCLUDE REGEX "^(/usr/include|.*[$]<.*)$")
+list(TRANSFORM clang_folders PREPEND -I)
+set(clang_flags -std=c++17 -O1 -g1 -DCGAL_EIGEN3_ENABLED "-DCGAL_DATA_DIR=\"${CGAL_DATA_DIR}\"" ${clang_folders}
+  -fno-sanitize-recover=all "-fsanitize-ignorelist=${CMAKE_CURRENT_SOURCE_DIR}/fuzzing/ignored_by_ubsan.txt")
+
+# add_clang_program(NAME FLAGS LIBRARIES SOURCE...): lists of flags and libraries
+function(add_clang_program name flags libraries)
+  set(objects "")
+  foreach(source IN LISTS ARGN)
+    get_filename_component(object "${source}" NAME_WE)
+    set(object "${CMAKE_CURRENT_BINARY_DIR}/${name}_${object}.o")
+    get_filename_component(source "${source}" ABSOLUTE)
+    set(dependencies "")
+    if(CMAKE_VERSION VERSION_GREATER_EQUAL 3.20)
+      set(dependencies DEPFILE "${object}.d")
+    endif()
+    add_custom_command(OUTPUT "${object}"
+      COMMAND "${CGAL_AHR_CLANG}" ${flags} -MD -MF "${object}.d" -c "${source}" -o "${object}"
+      DEPENDS "${source}" ${dependencies}
+      COMMENT "Compiling ${name} by Clang" VERBATIM)
+    list(APPEND objects "${object}")
+  endforeach()
+  add_custom_command(OUTPUT ${name}
+    COMMAND "${CGAL_AHR_CLANG}" ${flags} ${objects} -o ${name} ${libraries} -lgmp -lmpfr
+    DEPENDS ${objects} VERBATIM)
+  add_custom_target(${name}_program ALL DEPENDS ${name})
+endfunction()
+
+# add_instrumented_test(NAME LABELS SOURCE FLAG...)
+function(add_instrumented_test name labels source)
+  if(CGAL_AHR_CLANG)
+    set(libraries "")
+    if(CGAL_AHR_WITH_TBB AND TARGET CGAL::TBB_support)
+      set(libraries -ltbb)
+      list(APPEND ARGN -DCGAL_LINKED_WITH_TBB)
+    endif()
+    add_clang_program(${name} "${ARGN};${clang_flags}" "${libraries}" ${source})
+    set(program "${CMAKE_CURRENT_BINARY_DIR}/${name}")
+  else()
+    add_executable(${name} ${source})
+    target_link_libraries(${name} PRIVATE Anisotropic_hde_remeshing::Anisotropic_hde_remeshing)
+    target_compile_options(${name} BEFORE PRIVATE ${ARGN} -O1 -g1 -fno-sanitize-recover=all)
+    target_link_options(${name} PRIVATE ${ARGN})
+    set(program ${name})
+  endif()
+  add_test(NAME ${name} COMMAND ${program})
+  set_tests_properties(${name} PROPERTIES LABELS "${labels}" TIMEOUT 1800)
 endfunction()
 
 # with all assertions, CGAL's and Eigen's, too
-set(address_flags -UNDEBUG -fsanitize=address,${undefined_behaviour} -fno-sanitize-recover=all)
+set(address_flags -UNDEBUG -fsanitize=address,${undefined_behaviour})
 add_instrumented_test(address_test_addresses address addresses/test_addresses.cpp ${address_flags})
 if(CGAL_AHR_WITH_LONG_TESTS)
   add_instrumented_test(address_test_promises "address;long" test_promises.cpp ${address_flags})
@@ -36,11 +79,14 @@ if(CGAL_AHR_WITH_LONG_TESTS)
 endif()
 
 if(CGAL_AHR_WITH_TBB AND TARGET CGAL::TBB_support)
-  add_instrumented_test(thread_test_threads thread threads/test_threads.cpp -fsanitize=thread)
-  target_include_directories(thread_test_threads BEFORE PRIVATE threads)
+  add_instrumented_test(thread_test_threads thread threads/test_threads.cpp
+    -DNDEBUG -fsanitize=thread "-I${CMAKE_CURRENT_SOURCE_DIR}/threads")
+  if(TARGET thread_test_threads) # not made by Clang
+    target_include_directories(thread_test_threads BEFORE PRIVATE threads)
+  endif()
   set(thread_tests thread_test_threads)
   if(CGAL_AHR_WITH_LONG_TESTS)
-    add_test(NAME long_thread_test_threads COMMAND thread_test_threads all)
+    add_test(NAME long_thread_test_threads COMMAND "${CMAKE_CURRENT_BINARY_DIR}/thread_test_threads" all)
     set_tests_properties(long_thread_test_threads PROPERTIES LABELS "thread;long" TIMEOUT 1800)
     list(APPEND thread_tests long_thread_test_threads)
   endif()
@@ -72,42 +118,18 @@ if(UNIX)
   add_test_elsewhere(elsewhere_clang_forky clang++,20,forky,OFF "syntax_check public_headers" "")
 endif()
 
-# libFuzzer is Clang's, whichever compiler builds the rest. Without TBB: one thread is enough.
-find_program(CGAL_AHR_CLANG clang++)
+# libFuzzer is Clang's, whichever compiler builds the rest
 if(NOT CGAL_AHR_CLANG)
   message(STATUS "There are no fuzzers, as clang++ was not found")
   return()
 endif()
 
-get_target_property(eigen_folders CGAL::Eigen3_support INTERFACE_INCLUDE_DIRECTORIES)
-set(fuzzer_folders "${PROJECT_SOURCE_DIR}/include" "${CMAKE_CURRENT_SOURCE_DIR}" ${CGAL_INCLUDE_DIRS} ${eigen_folders})
-list(FILTER fuzzer_folders EXCLUDE REGEX "^(/usr/include|.*[$]<.*)$")
-list(TRANSFORM fuzzer_folders PREPEND -I)
-set(fuzzer_flags -std=c++17 -O1 -g1 -DCGAL_EIGEN3_ENABLED ${fuzzer_folders} -fno-sanitize-recover=all
-  -fsanitize=fuzzer,address,${undefined_behaviour}
-  "-fsanitize-ignorelist=${CMAKE_CURRENT_SOURCE_DIR}/fuzzing/ignored_by_ubsan.txt")
+# without TBB: one thread is enough
+set(fuzzer_flags ${clang_flags} -fsanitize=fuzzer,address,${undefined_behaviour})
 
 # add_fuzzer(NAME LARGEST_SIZE SOURCE...): runs on what was found before, in fuzzing/NAME, and on new input from there
 function(add_fuzzer name largest_size)
-  set(objects "")
-  foreach(source IN LISTS ARGN)
-    get_filename_component(object "${source}" NAME_WE)
-    set(object "${CMAKE_CURRENT_BINARY_DIR}/${name}_${object}.o")
-    get_filename_component(source "${source}" ABSOLUTE)
-    set(dependencies "")
-    if(CMAKE_VERSION VERSION_GREATER_EQUAL 3.20)
-      set(dependencies DEPFILE "${object}.d")
-    endif()
-    add_custom_command(OUTPUT "${object}"
-      COMMAND "${CGAL_AHR_CLANG}" ${fuzzer_flags} -MD -MF "${object}.d" -c "${source}" -o "${object}"
-      DEPENDS "${source}" ${dependencies}
-      COMMENT "Compiling ${name} for libFuzzer" VERBATIM)
-    list(APPEND objects "${object}")
-  endforeach()
-  add_custom_command(OUTPUT ${name}
-    COMMAND "${CGAL_AHR_CLANG}" ${fuzzer_flags} ${objects} -o ${name} -lgmp -lmpfr
-    DEPENDS ${objects} VERBATIM)
-  add_custom_target(${name}_fuzzer ALL DEPENDS ${name})
+  add_clang_program(${name} "${fuzzer_flags}" "" ${ARGN})
   set(new_inputs "${CMAKE_CURRENT_BINARY_DIR}/${name}_corpus")
   file(MAKE_DIRECTORY "${new_inputs}")
   set(duration -max_total_time=${CGAL_AHR_FUZZING_SECONDS})
