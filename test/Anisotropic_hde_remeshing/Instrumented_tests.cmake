@@ -8,7 +8,7 @@
 
 # Tests under tools that find what checks do not, a ctest label each: `address` (AddressSanitizer and UBSan), `thread`
 # (ThreadSanitizer), `fuzz` (libFuzzer, with both of the first), `memcheck` (valgrind), and `elsewhere` (other compilers and
-# versions of CGAL). They take minutes to compile. The fuzzers run a thousand inputs, the same each time, or
+# versions of CGAL). They take minutes to compile. The fuzzers run some thousand inputs, the same each time, or
 # CGAL_AHR_FUZZING_SECONDS on other ones each time. With CGAL_AHR_WITH_LONG_TESTS there are larger ones, labelled `long`, too.
 
 set(CGAL_AHR_FUZZING_SECONDS 0 CACHE STRING "how long each fuzzer runs, in seconds; 0: on the same inputs each time")
@@ -23,7 +23,7 @@ get_target_property(eigen_folders CGAL::Eigen3_support INTERFACE_INCLUDE_DIRECTO
 set(clang_folders "${PROJECT_SOURCE_DIR}/include" "${CMAKE_CURRENT_SOURCE_DIR}" ${CGAL_INCLUDE_DIRS} ${eigen_folders})
 list(FILTER clang_folders EXCLUDE REGEX "^(/usr/include|.*[$]<.*)$")
 list(TRANSFORM clang_folders PREPEND -I)
-set(clang_flags -std=c++17 -O1 -g1 -DCGAL_EIGEN3_ENABLED "-DCGAL_DATA_DIR=\"${CGAL_DATA_DIR}\"" ${clang_folders}
+set(clang_flags -std=c++17 -DCGAL_EIGEN3_ENABLED "-DCGAL_DATA_DIR=\"${CGAL_DATA_DIR}\"" ${clang_folders}
   -fno-sanitize-recover=all "-fsanitize-ignorelist=${CMAKE_CURRENT_SOURCE_DIR}/fuzzing/ignored_by_ubsan.txt")
 
 # add_clang_program(NAME FLAGS LIBRARIES SOURCE...): lists of flags and libraries
@@ -57,12 +57,12 @@ function(add_instrumented_test name labels source)
       set(libraries -ltbb)
       list(APPEND ARGN -DCGAL_LINKED_WITH_TBB)
     endif()
-    add_clang_program(${name} "${ARGN};${clang_flags}" "${libraries}" ${source})
+    add_clang_program(${name} "-O1;-g1;${ARGN};${clang_flags}" "${libraries}" ${source})
     set(program "${CMAKE_CURRENT_BINARY_DIR}/${name}")
   else()
     add_executable(${name} ${source})
     target_link_libraries(${name} PRIVATE Anisotropic_hde_remeshing::Anisotropic_hde_remeshing)
-    target_compile_options(${name} BEFORE PRIVATE ${ARGN} -O1 -g1 -fno-sanitize-recover=all)
+    target_compile_options(${name} BEFORE PRIVATE -O1 -g1 ${ARGN} -fno-sanitize-recover=all)
     target_link_options(${name} PRIVATE ${ARGN})
     set(program ${name})
   endif()
@@ -72,7 +72,8 @@ endfunction()
 
 # with all assertions, CGAL's and Eigen's, too
 set(address_flags -UNDEBUG -fsanitize=address,${undefined_behaviour})
-add_instrumented_test(address_test_addresses address addresses/test_addresses.cpp ${address_flags})
+# it is small: -O0 saves more time in compiling than it takes in running
+add_instrumented_test(address_test_addresses address addresses/test_addresses.cpp ${address_flags} -O0)
 if(CGAL_AHR_WITH_LONG_TESTS)
   add_instrumented_test(address_test_promises "address;long" test_promises.cpp ${address_flags})
   add_instrumented_test(address_test_constraints "address;long" test_remeshing_constraints.cpp ${address_flags})
@@ -125,7 +126,7 @@ if(NOT CGAL_AHR_CLANG)
 endif()
 
 # without TBB: one thread is enough
-set(fuzzer_flags ${clang_flags} -fsanitize=fuzzer,address,${undefined_behaviour})
+set(fuzzer_flags -O1 -g1 ${clang_flags} -fsanitize=fuzzer,address,${undefined_behaviour})
 
 # add_fuzzer(NAME LARGEST_SIZE SOURCE...): runs on what was found before, in fuzzing/NAME, and on new input from there
 function(add_fuzzer name largest_size)
@@ -135,7 +136,7 @@ function(add_fuzzer name largest_size)
   set(duration -max_total_time=${CGAL_AHR_FUZZING_SECONDS})
   if(CGAL_AHR_FUZZING_SECONDS EQUAL 0)
     # with those that were found before
-    set(number_of_runs 1000)
+    set(number_of_runs 2500)
     if(CGAL_AHR_WITH_LONG_TESTS)
       set(number_of_runs 10000)
     endif()
