@@ -13,17 +13,17 @@
 
 #include <CGAL/Anisotropic_hde_remeshing/Piecewise_rbf_diagnostics.h>
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_visitor.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/Interruption.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/evaluation.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/functions/evaluation.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Vector.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/interpolation_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/sample_mesh.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/named_parameters.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/parameter_types.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Interruption.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parallel/parallel.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/named_parameters.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/parameter_types.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/Region_facets.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/Region_plane.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/Uneven_region.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/regions/diagonal_of.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/split_regions.h>
 #include <CGAL/Radial_basis_functions.h>
 #include <CGAL/Rbf_implicit_function.h>

@@ -14,16 +14,16 @@
 #include <CGAL/Anisotropic_hde_remeshing/Principal_curvatures.h>
 #include <CGAL/Anisotropic_hde_remeshing/Rbf_diagnostics.h>
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_visitor.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/Interruption.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Facet_distance.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Patchwise_interpolant.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Point_distance.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/interpolation_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/sample_mesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/sample_points.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/named_parameters.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/parameter_types.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/type_traits.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Interruption.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/named_parameters.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/parameter_types.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/type_traits.h>
 #include <CGAL/Radial_basis_functions.h>
 
 #include <CGAL/Real_timer.h>

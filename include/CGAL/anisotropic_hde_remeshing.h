@@ -17,10 +17,10 @@
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_scheme.h>
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_visitor.h>
 #include <CGAL/Anisotropic_hde_remeshing/Surface_regions.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/named_parameters.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/parameter_types.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/named_parameters.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/parameter_types.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/type_traits.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/remesh_faces.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/type_traits.h>
 #include <CGAL/Piecewise_rbf_implicit_function.h>
 #include <CGAL/Rbf_implicit_function.h>
 

@@ -16,7 +16,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/Interpolated_vertex_field.h>
 #include <CGAL/Anisotropic_hde_remeshing/Scalar_field_embedding.h>
 #include <CGAL/Anisotropic_hde_remeshing/approximation_bounds.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/update_metric.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/targets/Metric_updater.h>
 #include <CGAL/Anisotropic_hde_remeshing/zero_set_measures.h>
 #include <CGAL/anisotropic_hde_remeshing.h>
 

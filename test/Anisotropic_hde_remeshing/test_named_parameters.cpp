@@ -12,7 +12,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/generators.h>
 
-#include <CGAL/Anisotropic_hde_remeshing/internal/named_parameters.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/named_parameters.h>
 
 #include "check.h"
 

@@ -12,9 +12,9 @@
 #include "check.h"
 #include "shapes.h"
 
-#include <CGAL/Anisotropic_hde_remeshing/internal/Closest_facet.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Input_surface.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Surface_projection.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Closest_facet.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/projection/Input_surface.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/projection/Surface_projection.h>
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>

@@ -12,7 +12,7 @@
 #include "check.h"
 #include "promises.h"
 
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Intersection_guard.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/Intersection_guard.h>
 #include <CGAL/Rbf_implicit_function.h>
 #include <CGAL/anisotropic_hde_remeshing.h>
 

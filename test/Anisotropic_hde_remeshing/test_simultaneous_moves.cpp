@@ -11,8 +11,8 @@
 
 #include "check.h"
 
-#include <CGAL/Anisotropic_hde_remeshing/internal/Interruption.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Simultaneous_moves.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Interruption.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/Simultaneous_moves.h>
 
 #include <CGAL/tags.h>
 

@@ -13,13 +13,13 @@
 #include "shapes.h"
 
 #include <CGAL/Anisotropic_hde_remeshing/Normal_embedding.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Mesh_intersections.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Operation_guard.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Surface_projection.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/collapse_edges.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/flip_edges.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/smooth_vertices.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/split_edges.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/Mesh_intersections.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/Operation_guard.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/operations/Edge_collapser.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/operations/Edge_flipper.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/operations/Edge_splitter.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/operations/Vertex_smoother.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/projection/Surface_projection.h>
 
 #include <benchmark/benchmark.h>
 

@@ -11,8 +11,8 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
-#include <CGAL/Anisotropic_hde_remeshing/internal/check_parameters.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Metric_tensor.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/check_parameters.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/targets/Metric_tensor.h>
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>

@@ -11,7 +11,7 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
-#include <CGAL/Anisotropic_hde_remeshing/internal/check_parameters.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/check_parameters.h>
 
 #include <Eigen/Core>
 #include <Eigen/LU>

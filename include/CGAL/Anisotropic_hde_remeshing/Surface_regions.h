@@ -11,9 +11,9 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
-#include <CGAL/Anisotropic_hde_remeshing/internal/check_parameters.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/named_parameters.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/parameter_types.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/check_parameters.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/named_parameters.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/parameter_types.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/Face_directions.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/extend_darts.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/prune_creases.h>

@@ -14,7 +14,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/Measures.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/measures/Area_sampler.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/measures/Measured_mesh.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/named_parameters.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/named_parameters.h>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_tree.h>

@@ -12,12 +12,12 @@
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
 #include <CGAL/Anisotropic_hde_remeshing/Measures.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/check_parameters.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/evaluation.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/folded_edge.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/functions/evaluation.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/geometry/folded_edge.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/measures/Measured_mesh.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/named_parameters.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parallel/parallel.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/check_parameters.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/named_parameters.h>
 
 #include <algorithm>
 #include <array>

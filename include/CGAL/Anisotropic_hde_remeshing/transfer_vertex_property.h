@@ -12,8 +12,8 @@
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
 #include <CGAL/Anisotropic_hde_remeshing/Input_location.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/check_parameters.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/parameter_types.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/check_parameters.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/parameter_types.h>
 
 #include <CGAL/IO/Color.h>
 #include <CGAL/Origin.h>

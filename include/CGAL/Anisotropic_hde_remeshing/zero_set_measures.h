@@ -12,12 +12,12 @@
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
 #include <CGAL/Anisotropic_hde_remeshing/Measures.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/functions/pieces.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/measures/Area_sampler.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/measures/Measured_mesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/measures/Zero_set_distance.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/named_parameters.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/pieces.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parallel/parallel.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/named_parameters.h>
 
 #include <algorithm>
 #include <cmath>

@@ -11,7 +11,7 @@
 
 #include "common.h"
 
-#include <CGAL/Anisotropic_hde_remeshing/internal/Closest_facet.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Closest_facet.h>
 
 #include <CGAL/boost/graph/iterator.h>
 

@@ -11,7 +11,7 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
-#include <CGAL/Anisotropic_hde_remeshing/internal/Closest_facet.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Closest_facet.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Point_distance.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Signed_distance.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Surface_sample.h>

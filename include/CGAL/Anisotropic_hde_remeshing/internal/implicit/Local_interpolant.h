@@ -11,7 +11,7 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
-#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Jet.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/functions/Jet.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Kernel_sum.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Quadratic_polynomial.h>
 

@@ -12,14 +12,14 @@
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
 #include <CGAL/Anisotropic_hde_remeshing/Rbf_diagnostics.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/Interruption.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Blending_tree.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Distance_at.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Off_surface_points.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Patch_check.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Patch_solver.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Signed_distance.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Interruption.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parallel/parallel.h>
 
 #include <CGAL/Radial_basis_functions.h>
 #include <CGAL/Real_timer.h>

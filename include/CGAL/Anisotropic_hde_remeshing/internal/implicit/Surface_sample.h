@@ -11,17 +11,13 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
-#include <CGAL/Anisotropic_hde_remeshing/internal/Closest_facet.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Jet.h>
-
-#include <CGAL/number_utils.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Closest_facet.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Vector.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
-#include <sstream>
-#include <stdexcept>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -80,35 +76,6 @@ struct Surface_sample
 inline std::size_t memory_bytes_of(const Surface_sample& sample)
 {
   return sample.size() * (2 * sizeof(Vector) + sizeof(double)) + sample.facets.size() * sizeof(Facet);
-}
-
-// the point or vector of the caller in plain numbers
-template <typename Point_or_vector>
-Vector to_vector(const Point_or_vector& p)
-{
-  return Vector(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
-}
-
-// the same, refused if it is not finite
-template <typename Point_or_vector>
-Vector finite_vector(const Point_or_vector& p, const char* what, const std::size_t index)
-{
-  Vector result = to_vector(p);
-  // far below the largest double, so that no square of a difference overflows
-  if (!(result.array().abs() < 1e150).all())
-  {
-    std::ostringstream message;
-    message << "the " << what << " of vertex " << index << " is (" << result.transpose()
-            << "): its coordinates must be finite and below 1e150";
-    throw std::invalid_argument(message.str());
-  }
-  return result;
-}
-
-template <typename Vector_3>
-Vector unit_normal(const Vector_3& normal, const std::size_t index)
-{
-  return finite_vector(normal, "normal", index).stableNormalized();
 }
 
 // Equal points would make the system of their patch singular: the first of them stays, with the mean of their normals,

@@ -11,9 +11,9 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
-#include <CGAL/Anisotropic_hde_remeshing/internal/check_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Patchwise_interpolant.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/named_parameters.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/check_parameters.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/named_parameters.h>
 
 #include <CGAL/number_utils.h>
 

@@ -11,8 +11,8 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
-#include <CGAL/Anisotropic_hde_remeshing/internal/Interruption.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Surface_sample.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Interruption.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/helpers.h>

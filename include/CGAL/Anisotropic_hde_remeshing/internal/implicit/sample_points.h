@@ -13,8 +13,8 @@
 
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Point_search.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Surface_sample.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/type_traits.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parallel/parallel.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/type_traits.h>
 
 #include <cmath>
 #include <cstddef>

@@ -11,12 +11,12 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
-#include <CGAL/Anisotropic_hde_remeshing/internal/aspect_ratio.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/folded_edge.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Jet.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/named_parameters.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/parameter_types.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/pieces.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/functions/pieces.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Vector.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/geometry/aspect_ratio.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/geometry/folded_edge.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/named_parameters.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/parameter_types.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/helpers.h>

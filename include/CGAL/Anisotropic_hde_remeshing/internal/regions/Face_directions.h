@@ -11,8 +11,7 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
-#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Surface_sample.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/regions/diagonal_of.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Vector.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>

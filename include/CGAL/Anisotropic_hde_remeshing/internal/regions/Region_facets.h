@@ -11,8 +11,8 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
-#include <CGAL/Anisotropic_hde_remeshing/internal/Closest_facet.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Jet.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/functions/Jet.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Closest_facet.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Surface_sample.h>
 
 #include <cstddef>

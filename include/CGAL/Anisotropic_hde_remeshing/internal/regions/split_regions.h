@@ -11,9 +11,9 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
-#include <CGAL/Anisotropic_hde_remeshing/internal/Interruption.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/check_parameters.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Surface_sample.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Vector.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Interruption.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/check_parameters.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

@@ -13,17 +13,17 @@
 
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_result.h>
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_scheme.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Error_target.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Local_operations.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Operation_guard.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Target_length.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Vertex_projector.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parallel/parallel.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/size_limits.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Visitor_reference.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/Operation_guard.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/Mesh_reorderer.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/operations/Local_operations.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/operations/Vertex_projector.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/remeshing_parameters.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/reorder_mesh.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/update_metric.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/size_limits.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/targets/Error_target.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/targets/Metric_updater.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/targets/Target_length.h>
 
 #include <algorithm>
 #include <array>

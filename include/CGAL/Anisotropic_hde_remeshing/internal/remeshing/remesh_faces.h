@@ -15,21 +15,21 @@
 #include <CGAL/Anisotropic_hde_remeshing/Normal_embedding.h>
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_result.h>
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_visitor.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/Interruption.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/aspect_ratio.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/check_parameters.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/parallel.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/pieces.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Input_surface.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Mesh_intersections.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Surface_function.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Target_length.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/functions/pieces.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/geometry/aspect_ratio.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Interruption.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parallel/parallel.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/check_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Visitor_reference.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/load_mesh.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/load_obstacles.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/Mesh_intersections.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/load_obstacles.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/Mesh_storer.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/load_mesh.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/projection/Input_surface.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/projection/Surface_function.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/remesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/remeshing_parameters.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/store_mesh.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/targets/Target_length.h>
 
 #include <CGAL/Real_timer.h>
 

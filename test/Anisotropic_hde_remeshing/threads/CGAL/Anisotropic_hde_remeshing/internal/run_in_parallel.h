@@ -11,7 +11,7 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
-#include <CGAL/Anisotropic_hde_remeshing/internal/Loop_body.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Loop_body.h>
 
 #include <algorithm>
 #include <atomic>

@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+#ifndef CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_GEOMETRY_FOLDED_EDGE_H
+#define CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_GEOMETRY_FOLDED_EDGE_H
+
+#include <CGAL/license/Anisotropic_hde_remeshing.h>
+
+#include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Vector.h>
+
+#include <algorithm>
+
+namespace CGAL {
+namespace Anisotropic_hde_remeshing {
+namespace internal {
+
+// The normal of a triangle by two of its edges, of the length of twice the area; zero if its height is so small that the
+// direction would be one of rounding: such a triangle folds over no edge.
+inline Vector triangle_normal(const Vector& ab, const Vector& ac)
+{
+  static constexpr double smallest_flatness = 1e-10; // of the height to the longest edge
+  const Vector normal = ab.cross(ac);
+  const double squared_length = (std::max)({ab.squaredNorm(), ac.squaredNorm(), (ac - ab).squaredNorm()});
+  const double smallest = smallest_flatness * squared_length;
+  return normal.squaredNorm() > smallest * smallest ? normal : Vector(Vector::Zero());
+}
+
+// cosine of the angle between the normals of two faces below which they count as folded over their edge: 143 degrees
+constexpr double fold_cosine = -0.8;
+
+// by their normals of any length
+inline bool is_folded_edge(const Vector& normal, const Vector& neighbor)
+{
+  const double product = normal.dot(neighbor);
+  return product < 0 && // hardly ever
+         product < fold_cosine * (normal.norm() * neighbor.norm());
+}
+
+} // namespace internal
+} // namespace Anisotropic_hde_remeshing
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_GEOMETRY_FOLDED_EDGE_H

@@ -1,0 +1,398 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+#ifndef CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_PARAMETERS_PARAMETER_TYPES_H
+#define CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_PARAMETERS_PARAMETER_TYPES_H
+
+#include <CGAL/license/Anisotropic_hde_remeshing.h>
+
+#include <CGAL/Anisotropic_hde_remeshing/Input_location.h>
+#include <CGAL/Anisotropic_hde_remeshing/Remeshing_scheme.h>
+#include <CGAL/Anisotropic_hde_remeshing/Remeshing_visitor.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/named_parameters.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/type_traits.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <type_traits>
+#include <utility>
+
+// What the named parameters take, so that a wrong type is one error with the name, not pages of them from within: a public
+// function asks a list of parameters, and has nothing else instantiated if one is refused.
+
+namespace CGAL {
+namespace Anisotropic_hde_remeshing {
+namespace internal {
+
+// of a named parameter; internal_np::Param_not_found if it is not given
+template <typename NamedParameters, typename Tag>
+using Given_type =
+    std::decay_t<decltype(parameters::get_parameter(std::declval<const NamedParameters&>(), std::declval<Tag>()))>;
+
+// The conditions below are of the type T of a parameter; the subject is the mesh, range or kernel it belongs to.
+
+template <typename T, typename>
+struct Is_number : std::bool_constant<is_number<T>>
+{
+};
+
+template <typename T, typename>
+struct Is_boolean : std::bool_constant<is_boolean<T>>
+{
+};
+
+// a count, also as a double: it comes from a computation
+template <typename T, typename>
+struct Is_count : std::bool_constant<std::is_arithmetic<T>::value && !std::is_same<T, bool>::value>
+{
+};
+
+template <typename T, typename>
+struct Is_remeshing_scheme : std::is_same<T, Remeshing_scheme>
+{
+};
+
+template <typename T, typename, typename = void>
+struct Is_embedding : std::false_type
+{
+};
+template <typename T, typename Subject>
+struct Is_embedding<T, Subject,
+                    std::void_t<typename T::Vertex_data, decltype(std::declval<const T&>().in_unit(1.)),
+                                decltype(std::declval<const T&>().unit_of_lengths(1.))>> : std::true_type
+{
+};
+
+template <typename T, typename, typename = void>
+struct Is_visitor : std::false_type
+{
+};
+template <typename T, typename Subject>
+struct Is_visitor<T, Subject,
+                  std::void_t<decltype(std::declval<T&>().stage_started(Stage::OUTPUT)),
+                              decltype(std::declval<T&>().progress(0.5)), decltype(bool(std::declval<T&>().go_further()))>>
+  : std::true_type
+{
+};
+
+template <typename T, typename, typename = void>
+struct Is_radial_function : std::false_type
+{
+};
+template <typename T, typename Subject>
+struct Is_radial_function<T, Subject,
+                          std::void_t<decltype(T::order), decltype(T::sign),
+                                      decltype(std::declval<const T&>()(1., std::declval<double&>(), std::declval<double&>()))>>
+  : std::true_type
+{
+};
+
+template <typename T, typename, typename = void>
+struct Is_kernel : std::false_type
+{
+};
+template <typename T, typename Subject>
+struct Is_kernel<T, Subject, std::void_t<typename T::FT, typename T::Point_3, typename T::Collinear_3>> : std::true_type
+{
+};
+
+template <typename Graph>
+using Vertex_of = typename boost::graph_traits<Graph>::vertex_descriptor;
+template <typename Graph>
+using Edge_of = typename boost::graph_traits<Graph>::edge_descriptor;
+template <typename Graph>
+using Face_of = typename boost::graph_traits<Graph>::face_descriptor;
+
+template <typename T, typename Graph>
+struct Is_vertex_point_map : Has_coordinates<Value_of_map<T, Vertex_of<Graph>>>
+{
+};
+
+template <typename T, typename Graph>
+struct Is_written_vertex_point_map : std::bool_constant<Is_vertex_point_map<T, Graph>::value &&
+                                                        is_writable_map<T, Vertex_of<Graph>, Value_of_map<T, Vertex_of<Graph>>>>
+{
+};
+
+template <typename T, typename Range>
+struct Has_points_of_range : Has_coordinates<Value_of_map<T, Value_of_range<Range>>>
+{
+};
+
+template <typename T, typename Graph>
+struct Is_edge_boolean_map : std::is_convertible<Value_of_map<T, Edge_of<Graph>>, bool>
+{
+};
+
+template <typename T, typename Graph>
+struct Is_written_edge_boolean_map
+  : std::bool_constant<Is_edge_boolean_map<T, Graph>::value && is_writable_map<T, Edge_of<Graph>, bool>>
+{
+};
+
+template <typename T, typename Graph>
+struct Is_vertex_boolean_map : std::is_convertible<Value_of_map<T, Vertex_of<Graph>>, bool>
+{
+};
+
+template <typename T, typename Graph>
+struct Is_face_map : std::bool_constant<is_readable_map<T, Face_of<Graph>>>
+{
+};
+
+template <typename T, typename Graph>
+struct Is_written_face_map : std::bool_constant<is_readable_map<T, Face_of<Graph>> &&
+                                                is_writable_map<T, Face_of<Graph>, Value_of_map<T, Face_of<Graph>>>>
+{
+};
+
+template <typename T, typename Graph>
+struct Is_location_map : std::bool_constant<is_writable_map<T, Vertex_of<Graph>, Input_location>>
+{
+};
+
+// A line of the table: the name of the parameter, its tag, its condition, and the condition in words.
+#define CGAL_AHR_NAMED_PARAMETER(NAME, TAG, CONDITION, WORDS)                                                                  \
+  struct Takes_##NAME                                                                                                          \
+  {                                                                                                                            \
+    template <typename NamedParameters, typename Subject>                                                                      \
+    static constexpr bool accepts()                                                                                            \
+    {                                                                                                                          \
+      typedef Given_type<NamedParameters, internal_np::TAG> T;                                                                 \
+      constexpr bool is_accepted =                                                                                             \
+          std::disjunction<std::is_same<T, internal_np::Param_not_found>, CONDITION<T, Subject>>::value;                       \
+      static_assert(is_accepted, "the named parameter " WORDS);                                                                \
+      return is_accepted;                                                                                                      \
+    }                                                                                                                          \
+  };
+
+// clang-format off
+CGAL_AHR_NAMED_PARAMETER(sigma, sigma_t, Is_number, "sigma takes a number")
+CGAL_AHR_NAMED_PARAMETER(relative_sigma, relative_sigma_t, Is_number, "relative_sigma takes a number")
+CGAL_AHR_NAMED_PARAMETER(embedding, embedding_t, Is_embedding, "embedding takes a model of RemeshingEmbedding, such as Curvature_metric(2)")
+CGAL_AHR_NAMED_PARAMETER(target_edge_length, target_edge_length_t, Is_number, "target_edge_length takes a number")
+CGAL_AHR_NAMED_PARAMETER(relative_target_edge_length, relative_target_edge_length_t, Is_number, "relative_target_edge_length takes a number")
+CGAL_AHR_NAMED_PARAMETER(number_of_target_faces, number_of_target_faces_t, Is_count, "number_of_target_faces takes an integer")
+CGAL_AHR_NAMED_PARAMETER(approximation_error, approximation_error_t, Is_number, "approximation_error takes a number")
+CGAL_AHR_NAMED_PARAMETER(relative_approximation_error, relative_approximation_error_t, Is_number, "relative_approximation_error takes a number")
+CGAL_AHR_NAMED_PARAMETER(fit_to_surface, fit_to_surface_t, Is_boolean, "fit_to_surface takes a Boolean")
+CGAL_AHR_NAMED_PARAMETER(number_of_iterations, number_of_iterations_t, Is_count, "number_of_iterations takes an integer")
+CGAL_AHR_NAMED_PARAMETER(number_of_relaxation_steps, number_of_relaxation_steps_t, Is_count, "number_of_relaxation_steps takes an integer")
+CGAL_AHR_NAMED_PARAMETER(remeshing_scheme, remeshing_scheme_t, Is_remeshing_scheme, "remeshing_scheme takes a Remeshing_scheme, DEFAULT or PAPER")
+CGAL_AHR_NAMED_PARAMETER(split_ratio, split_ratio_t, Is_number, "split_ratio takes a number")
+CGAL_AHR_NAMED_PARAMETER(collapse_ratio, collapse_ratio_t, Is_number, "collapse_ratio takes a number")
+CGAL_AHR_NAMED_PARAMETER(smoothing_ratio, smoothing_ratio_t, Is_number, "smoothing_ratio takes a number")
+CGAL_AHR_NAMED_PARAMETER(edge_is_constrained_map, edge_is_constrained_t, Is_written_edge_boolean_map, "edge_is_constrained_map takes a readable and writable property map from the edges of the mesh to bool")
+CGAL_AHR_NAMED_PARAMETER(vertex_is_constrained_map, vertex_is_constrained_t, Is_vertex_boolean_map, "vertex_is_constrained_map takes a property map from the vertices of the mesh to bool")
+CGAL_AHR_NAMED_PARAMETER(face_patch_map, face_patch_t, Is_written_face_map, "face_patch_map takes a readable and writable property map from the faces of the mesh")
+CGAL_AHR_NAMED_PARAMETER(protect_constraints, protect_constraints_t, Is_boolean, "protect_constraints takes a Boolean")
+CGAL_AHR_NAMED_PARAMETER(do_self_intersection_tests, do_self_intersection_tests_t, Is_boolean, "do_self_intersection_tests takes a Boolean")
+CGAL_AHR_NAMED_PARAMETER(vertex_location_map, vertex_location_map_t, Is_location_map, "vertex_location_map takes a writable property map from the vertices of the mesh to Input_location")
+CGAL_AHR_NAMED_PARAMETER(visitor, visitor_t, Is_visitor, "visitor takes a model of RemeshingVisitor, such as a class derived from Remeshing_visitor")
+CGAL_AHR_NAMED_PARAMETER(vertex_point_map, vertex_point_t, Is_written_vertex_point_map, "vertex_point_map takes a readable and writable property map from the vertices of the mesh to points")
+CGAL_AHR_NAMED_PARAMETER(sharp_angle, sharp_angle_t, Is_number, "sharp_angle takes a number")
+// of Rbf_implicit_function
+CGAL_AHR_NAMED_PARAMETER(number_of_patches, number_of_patches_t, Is_count, "number_of_patches takes an integer")
+CGAL_AHR_NAMED_PARAMETER(patch_overlap, patch_overlap_t, Is_number, "patch_overlap takes a number")
+CGAL_AHR_NAMED_PARAMETER(offset_distance, offset_distance_t, Is_number, "offset_distance takes a number")
+CGAL_AHR_NAMED_PARAMETER(relative_offset_distance, relative_offset_distance_t, Is_number, "relative_offset_distance takes a number")
+CGAL_AHR_NAMED_PARAMETER(two_sided_offsets, two_sided_offsets_t, Is_boolean, "two_sided_offsets takes a Boolean")
+CGAL_AHR_NAMED_PARAMETER(smoothing, smoothing_t, Is_number, "smoothing takes a number")
+CGAL_AHR_NAMED_PARAMETER(radial_function, radial_function_t, Is_radial_function, "radial_function takes a model of RadialBasisFunction, such as Wendland_C4_rbf()")
+CGAL_AHR_NAMED_PARAMETER(vertex_normal_map, vertex_normal_map_t, Is_vertex_point_map, "vertex_normal_map takes a property map from the vertices of the mesh to vectors")
+CGAL_AHR_NAMED_PARAMETER(point_map, point_t, Has_points_of_range, "point_map takes a property map from the elements of the range to points")
+CGAL_AHR_NAMED_PARAMETER(normal_map, normal_t, Has_points_of_range, "normal_map takes a property map from the elements of the range to vectors")
+// where the mesh is not written
+CGAL_AHR_NAMED_PARAMETER(read_vertex_point_map, vertex_point_t, Is_vertex_point_map, "vertex_point_map takes a property map from the vertices of the mesh to points")
+CGAL_AHR_NAMED_PARAMETER(read_edge_is_constrained_map, edge_is_constrained_t, Is_edge_boolean_map, "edge_is_constrained_map takes a property map from the edges of the mesh to bool")
+CGAL_AHR_NAMED_PARAMETER(read_face_patch_map, face_patch_t, Is_face_map, "face_patch_map takes a property map from the faces of the mesh")
+CGAL_AHR_NAMED_PARAMETER(geom_traits, geom_traits_t, Is_kernel, "geom_traits takes a kernel")
+CGAL_AHR_NAMED_PARAMETER(number_of_points_on_faces, number_of_points_on_faces_t, Is_count, "number_of_points_on_faces takes an integer")
+// clang-format on
+#undef CGAL_AHR_NAMED_PARAMETER
+
+// Lists of parameters. They are no templates, whose arguments would fill the message.
+
+// of a function without the mesh or range that it is built from
+struct Parameters_of_function
+{
+  template <typename NamedParameters, typename Subject>
+  static constexpr bool accepts()
+  {
+    return Takes_number_of_patches::template accepts<NamedParameters, Subject>() &&
+           Takes_patch_overlap::template accepts<NamedParameters, Subject>() &&
+           Takes_offset_distance::template accepts<NamedParameters, Subject>() &&
+           Takes_relative_offset_distance::template accepts<NamedParameters, Subject>() &&
+           Takes_two_sided_offsets::template accepts<NamedParameters, Subject>() &&
+           Takes_smoothing::template accepts<NamedParameters, Subject>() &&
+           Takes_radial_function::template accepts<NamedParameters, Subject>() &&
+           Takes_visitor::template accepts<NamedParameters, Subject>();
+  }
+};
+
+struct Parameters_of_function_of_mesh
+{
+  template <typename NamedParameters, typename Subject>
+  static constexpr bool accepts()
+  {
+    return Parameters_of_function::template accepts<NamedParameters, Subject>() &&
+           Takes_read_vertex_point_map::template accepts<NamedParameters, Subject>() &&
+           Takes_vertex_normal_map::template accepts<NamedParameters, Subject>();
+  }
+};
+
+struct Parameters_of_function_of_range
+{
+  template <typename NamedParameters, typename Subject>
+  static constexpr bool accepts()
+  {
+    return Parameters_of_function::template accepts<NamedParameters, Subject>() &&
+           Takes_point_map::template accepts<NamedParameters, Subject>() &&
+           Takes_normal_map::template accepts<NamedParameters, Subject>();
+  }
+};
+
+struct Parameters_of_regions
+{
+  template <typename NamedParameters, typename Subject>
+  static constexpr bool accepts()
+  {
+    return Takes_sharp_angle::template accepts<NamedParameters, Subject>() &&
+           Takes_read_edge_is_constrained_map::template accepts<NamedParameters, Subject>() &&
+           Takes_read_face_patch_map::template accepts<NamedParameters, Subject>() &&
+           Takes_read_vertex_point_map::template accepts<NamedParameters, Subject>() &&
+           Takes_geom_traits::template accepts<NamedParameters, Subject>();
+  }
+};
+
+struct Parameters_of_sizes
+{
+  template <typename NamedParameters, typename Subject>
+  static constexpr bool accepts()
+  {
+    return Takes_sigma::template accepts<NamedParameters, Subject>() &&
+           Takes_relative_sigma::template accepts<NamedParameters, Subject>() &&
+           Takes_embedding::template accepts<NamedParameters, Subject>() &&
+           Takes_target_edge_length::template accepts<NamedParameters, Subject>() &&
+           Takes_relative_target_edge_length::template accepts<NamedParameters, Subject>() &&
+           Takes_number_of_target_faces::template accepts<NamedParameters, Subject>() &&
+           Takes_approximation_error::template accepts<NamedParameters, Subject>() &&
+           Takes_relative_approximation_error::template accepts<NamedParameters, Subject>();
+  }
+};
+
+struct Parameters_of_remeshing
+{
+  template <typename NamedParameters, typename Subject>
+  static constexpr bool accepts()
+  {
+    return Parameters_of_sizes::template accepts<NamedParameters, Subject>() &&
+           Takes_fit_to_surface::template accepts<NamedParameters, Subject>() &&
+           Takes_number_of_iterations::template accepts<NamedParameters, Subject>() &&
+           Takes_number_of_relaxation_steps::template accepts<NamedParameters, Subject>() &&
+           Takes_remeshing_scheme::template accepts<NamedParameters, Subject>() &&
+           Takes_split_ratio::template accepts<NamedParameters, Subject>() &&
+           Takes_collapse_ratio::template accepts<NamedParameters, Subject>() &&
+           Takes_smoothing_ratio::template accepts<NamedParameters, Subject>() &&
+           Takes_edge_is_constrained_map::template accepts<NamedParameters, Subject>() &&
+           Takes_vertex_is_constrained_map::template accepts<NamedParameters, Subject>() &&
+           Takes_face_patch_map::template accepts<NamedParameters, Subject>() &&
+           Takes_protect_constraints::template accepts<NamedParameters, Subject>() &&
+           Takes_do_self_intersection_tests::template accepts<NamedParameters, Subject>() &&
+           Takes_vertex_location_map::template accepts<NamedParameters, Subject>() &&
+           Takes_visitor::template accepts<NamedParameters, Subject>() &&
+           Takes_vertex_point_map::template accepts<NamedParameters, Subject>();
+  }
+};
+
+struct Parameters_of_remeshing_without_function
+{
+  template <typename NamedParameters, typename Subject>
+  static constexpr bool accepts()
+  {
+    return Parameters_of_remeshing::template accepts<NamedParameters, Subject>() &&
+           Parameters_of_function::template accepts<NamedParameters, Subject>() &&
+           Takes_vertex_normal_map::template accepts<NamedParameters, Subject>() &&
+           Takes_sharp_angle::template accepts<NamedParameters, Subject>() &&
+           Takes_geom_traits::template accepts<NamedParameters, Subject>();
+  }
+};
+
+struct Parameters_of_measures
+{
+  template <typename NamedParameters, typename Subject>
+  static constexpr bool accepts()
+  {
+    return Takes_read_vertex_point_map::template accepts<NamedParameters, Subject>() &&
+           Takes_read_face_patch_map::template accepts<NamedParameters, Subject>() &&
+           Takes_geom_traits::template accepts<NamedParameters, Subject>() &&
+           Takes_sigma::template accepts<NamedParameters, Subject>() &&
+           Takes_target_edge_length::template accepts<NamedParameters, Subject>() &&
+           Takes_number_of_points_on_faces::template accepts<NamedParameters, Subject>();
+  }
+};
+
+template <typename T>
+struct Is_named_parameters : std::false_type
+{
+};
+template <typename T, typename Tag, typename Base>
+struct Is_named_parameters<Named_function_parameters<T, Tag, Base>> : std::true_type
+{
+};
+
+// whether `np` may be given to a function for a mesh, range or kernel; says what is wrong if it may not
+template <typename List, typename Subject, typename NamedParameters>
+constexpr bool accepts_parameters()
+{
+  constexpr bool is_np = Is_named_parameters<NamedParameters>::value;
+  static_assert(is_np, "the last argument must be named parameters, such as CGAL::parameters::sigma(0.1)");
+  if constexpr (is_np)
+    return List::template accepts<NamedParameters, Subject>();
+  else
+    return false;
+}
+
+template <typename TriangleMesh>
+constexpr bool accepts_mesh()
+{
+  constexpr bool is_mesh = Is_face_graph<TriangleMesh>::value;
+  static_assert(is_mesh, "the mesh must be a model of FaceListGraph, such as Surface_mesh, whose headers are included");
+  return is_mesh;
+}
+
+template <typename TriangleMesh>
+constexpr bool accepts_mesh_to_write()
+{
+  constexpr bool is_const = std::is_const<TriangleMesh>::value;
+  static_assert(!is_const, "the mesh is remeshed in place: it must not be const");
+  return !is_const && accepts_mesh<TriangleMesh>();
+}
+
+template <typename TriangleMesh, typename FaceRange>
+constexpr bool accepts_faces()
+{
+  constexpr bool are_faces = std::is_convertible<Value_of_range<FaceRange>, Face_of<TriangleMesh>>::value;
+  static_assert(are_faces, "the range must be one of faces of the mesh");
+  return are_faces;
+}
+
+template <typename Function>
+constexpr bool accepts_function()
+{
+  constexpr bool is_function = is_implicit_function<Function>;
+  static_assert(is_function, "the function must be a model of ImplicitFunctionWithGradient, with Point_3, operator()(Point_3) "
+                             "const and gradient(Point_3) const, or of PiecewiseImplicitFunction");
+  return is_function;
+}
+
+} // namespace internal
+} // namespace Anisotropic_hde_remeshing
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_PARAMETERS_PARAMETER_TYPES_H

@@ -1,0 +1,248 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+#ifndef CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_CURVES_CURVE_NETWORK_H
+#define CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_CURVES_CURVE_NETWORK_H
+
+#include <CGAL/license/Anisotropic_hde_remeshing.h>
+
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/Working_mesh.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Anisotropic_hde_remeshing {
+namespace internal {
+
+// The polylines of the input that the mesh keeps: its boundaries, the constrained edges and the edges between patches. A
+// curve goes from corner to corner, or is closed without one. Corners, where curves end, branch or turn sharply, are fixed;
+// the other vertices of a curve stay on it.
+class Curve_network
+{
+  // polylines turn by more than this, in radians, at a corner
+  static constexpr double corner_angle = 60 * 3.14159265358979323846 / 180;
+  // of an arc at each point: 60 edges for a circle; and by which share that may differ at the ends of an edge
+  static constexpr double largest_turn_of_arc = 6 * 3.14159265358979323846 / 180;
+  static constexpr double largest_change_of_turn = 0.5;
+  // how far a vertex of a crease may be from its polyline, over how far an edge may
+  static constexpr double largest_reach_per_deviation = 10;
+
+public:
+  // traces the edges of the mesh that are marked as unnamed, names their curves and fixes the corners
+  template <typename Mesh>
+  explicit Curve_network(Mesh& mesh)
+  {
+    const std::vector<int> degrees = curve_degrees(mesh);
+    for (const Vertex_index v : mesh.vertices())
+      if (degrees[v] > 0)
+      {
+        mesh.point(v).is_on_curve = true;
+        mesh.point(v).is_fixed = mesh.point(v).is_fixed || degrees[v] != 2 || is_sharp(v, mesh);
+      }
+    std::vector<char> is_traced(edge_capacity(mesh), 0);
+    for (const bool from_corners : {true, false}) // what no corner reaches is closed
+      for (const Halfedge_index h : mesh.halfedges())
+        if (is_named_later(mesh.arc(h)) && !is_traced[mesh.edge(h)] && (mesh.point(mesh.source(h)).is_fixed || !from_corners))
+          trace(h, mesh, is_traced);
+  }
+
+  std::size_t size() const { return m_curves.size(); }
+
+  Vector point(const int curve, const double arc_length) const { return m_curves[std::size_t(curve)].point(arc_length); }
+
+  // Twice how high a circular arc rises over the polyline there that turns as much, but not much: 0 where it is straight, and where
+  // the polyline turns so much or so unevenly that it does not tell what curve it stands for.
+  double reach(const int curve, const double arc_length) const
+  {
+    return (std::min)(m_curves[std::size_t(curve)].reach(arc_length), largest_reach_per_deviation * m_largest_deviation);
+  }
+
+  // bounds how far the polyline may be from an edge that stands for a part of it
+  void set_largest_deviation(const double deviation) { m_largest_deviation = deviation; }
+  bool bounds_deviation() const { return std::isfinite(m_largest_deviation); }
+
+  // whether an edge may stand for this part of a curve
+  bool accepts(const Curve_arc& arc) const
+  {
+    return !bounds_deviation() ||
+           m_curves[std::size_t(arc.curve)].deviation((std::min)(arc.source, arc.target), (std::max)(arc.source, arc.target)) <=
+               m_largest_deviation;
+  }
+
+  // the next halfedge along the curve of `h`, whose target is on nothing else
+  template <typename Mesh>
+  static Halfedge_index next_on_curve(const Halfedge_index h, const Mesh& mesh)
+  {
+    Halfedge_index in = h;
+    do
+      in = mesh.prev(mesh.opposite(in));
+    while (!mesh.is_on_curve(mesh.edge(in)));
+    return mesh.opposite(in);
+  }
+
+private:
+  class Curve
+  {
+  public:
+    Curve(std::vector<Vector> points, const bool is_closed) : m_points(std::move(points)), m_is_closed(is_closed)
+    {
+      m_arc_lengths.push_back(0);
+      for (std::size_t i = 1; i < m_points.size(); ++i)
+        m_arc_lengths.push_back(m_arc_lengths.back() + (m_points[i] - m_points[i - 1]).norm());
+    }
+
+    const std::vector<double>& arc_lengths() const { return m_arc_lengths; }
+
+    Vector point(const double arc_length) const
+    {
+      const Place place = find(arc_length);
+      return (1 - place.share) * m_points[place.edge] + place.share * m_points[place.edge + 1];
+    }
+
+    double reach(const double arc_length) const
+    {
+      const std::size_t edge = find(arc_length).edge;
+      const bool begins = is_corner(edge), ends = is_corner(edge + 1);
+      if (begins && ends)
+        return 0;
+      const Vector before = begins ? turn(edge + 1) : turn(edge), behind = ends ? before : turn(edge + 1);
+      const double angle = 0.5 * (before + behind).norm();
+      const bool is_arc = angle <= largest_turn_of_arc && (before - behind).norm() <= largest_change_of_turn * angle;
+      return is_arc ? 0.25 * angle * (m_arc_lengths[edge + 1] - m_arc_lengths[edge]) : 0;
+    }
+
+    // the largest distance of its points between two arc lengths from the line segment between the points there
+    double deviation(const double from, const double to) const
+    {
+      const Vector source = point(from), chord = point(to) - source;
+      const double squared_length = chord.squaredNorm();
+      double largest = 0;
+      const auto look_at = [&](const Vector& p)
+      {
+        const double share = squared_length > 0 ? (p - source).dot(chord) / squared_length : 0;
+        largest = (std::max)(largest, (source + (std::min)((std::max)(share, 0.), 1.) * chord - p).norm());
+      };
+      const double length = m_arc_lengths.back();
+      // from turn to turn of a closed curve
+      double begin = m_is_closed && length > 0 ? length * std::floor(from / length) : 0;
+      for (; begin < to; begin += length)
+      {
+        auto next = std::upper_bound(m_arc_lengths.begin(), m_arc_lengths.end(), from - begin);
+        for (; next != m_arc_lengths.end() && begin + *next < to; ++next)
+          look_at(m_points[std::size_t(next - m_arc_lengths.begin())]);
+        if (!m_is_closed || !(length > 0))
+          break;
+      }
+      return largest;
+    }
+
+  private:
+    struct Place
+    {
+      std::size_t edge;
+      double share;
+    };
+
+    Place find(double arc_length) const
+    {
+      const double length = m_arc_lengths.back();
+      if (!(length > 0))
+        return Place{0, 0};
+      if (m_is_closed)
+        arc_length -= length * std::floor(arc_length / length);
+      const auto above = std::upper_bound(m_arc_lengths.begin() + 1, m_arc_lengths.end() - 1, arc_length);
+      const std::size_t i = std::size_t(above - m_arc_lengths.begin()) - 1;
+      const double edge = m_arc_lengths[i + 1] - m_arc_lengths[i];
+      return Place{i, edge > 0 ? (std::min)((std::max)((arc_length - m_arc_lengths[i]) / edge, 0.), 1.) : 0.};
+    }
+
+    bool is_corner(const std::size_t i) const { return !m_is_closed && (i == 0 || i + 1 == m_points.size()); }
+
+    // the rotation at a point, by its axis with the length of its angle; none at a corner
+    Vector turn(const std::size_t i) const
+    {
+      if (is_corner(i))
+        return Vector::Zero();
+      const std::size_t last = m_points.size() - 1;
+      const Vector &before = m_points[i == 0 ? last - 1 : i - 1], &behind = m_points[i == last ? 1 : i + 1];
+      const Vector one = m_points[i] - before, other = behind - m_points[i], axis = one.cross(other);
+      return axis.norm() > 0 ? Vector(std::atan2(axis.norm(), one.dot(other)) * axis.normalized()) : Vector(Vector::Zero());
+    }
+
+    std::vector<Vector> m_points; // of a closed curve, the first again at the end
+    std::vector<double> m_arc_lengths;
+    bool m_is_closed;
+  };
+
+  static bool is_named_later(const Curve_arc& arc) { return arc.curve == Curve_arc::unnamed; }
+
+  // The number of edges on curves at each vertex. A vertex with an edge that must not be touched is no inner one of a curve.
+  template <typename Mesh>
+  static std::vector<int> curve_degrees(const Mesh& mesh)
+  {
+    std::vector<int> degrees(vertex_capacity(mesh), 0);
+    for (const Halfedge_index h : mesh.halfedges())
+    {
+      const int curve = mesh.arc(h).curve;
+      if (curve != Curve_arc::none)
+        degrees[mesh.target(h)] += curve == Curve_arc::untouchable ? 3 : 1;
+    }
+    return degrees;
+  }
+
+  // at a vertex with two edges on curves
+  template <typename Mesh>
+  static bool is_sharp(const Vertex_index v, const Mesh& mesh)
+  {
+    Halfedge_index in = mesh.halfedge(v);
+    while (!mesh.is_on_curve(mesh.edge(in)))
+      in = mesh.prev(mesh.opposite(in));
+    const Vector& p = mesh.point(v).point;
+    const Vector before = p - mesh.point(mesh.source(in)).point;
+    const Vector behind = mesh.point(mesh.target(next_on_curve(in, mesh))).point - p;
+    return std::atan2(before.cross(behind).norm(), before.dot(behind)) > corner_angle;
+  }
+
+  // from the source of `first` to the next corner, or round
+  template <typename Mesh>
+  void trace(const Halfedge_index first, Mesh& mesh, std::vector<char>& is_traced)
+  {
+    std::vector<Halfedge_index> halfedges(1, first);
+    std::vector<Vector> points{mesh.point(mesh.source(first)).point, mesh.point(mesh.target(first)).point};
+    while (!mesh.point(mesh.target(halfedges.back())).is_fixed)
+    {
+      const Halfedge_index h = next_on_curve(halfedges.back(), mesh);
+      if (h == first)
+        break;
+      halfedges.push_back(h);
+      points.push_back(mesh.point(mesh.target(h)).point);
+    }
+    const int curve = int(m_curves.size());
+    m_curves.emplace_back(std::move(points), !mesh.point(mesh.source(first)).is_fixed);
+    const std::vector<double>& arc_lengths = m_curves.back().arc_lengths();
+    for (std::size_t i = 0; i < halfedges.size(); ++i)
+    {
+      mesh.set_arc(halfedges[i], Curve_arc{curve, arc_lengths[i], arc_lengths[i + 1]});
+      is_traced[mesh.edge(halfedges[i])] = 1;
+    }
+  }
+
+  std::vector<Curve> m_curves;
+  double m_largest_deviation = (std::numeric_limits<double>::infinity)();
+};
+
+} // namespace internal
+} // namespace Anisotropic_hde_remeshing
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_CURVES_CURVE_NETWORK_H

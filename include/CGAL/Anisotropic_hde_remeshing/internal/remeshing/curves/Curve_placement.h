@@ -1,0 +1,79 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+#ifndef CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_CURVES_CURVE_PLACEMENT_H
+#define CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_CURVES_CURVE_PLACEMENT_H
+
+#include <CGAL/license/Anisotropic_hde_remeshing.h>
+
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/curves/Curve_network.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/Working_mesh.h>
+
+namespace CGAL {
+namespace Anisotropic_hde_remeshing {
+namespace internal {
+
+// Puts vertices on curves: on the polyline, or, if the curve is a crease between two regions, where their surfaces meet near it.
+template <typename Embedding, typename Projection>
+class Curve_placement
+{
+  typedef Working_mesh<typename Embedding::Vertex_data> Mesh;
+  typedef typename Mesh::Vertex Vertex;
+  typedef typename Mesh::Sides Sides;
+
+public:
+  Curve_placement(const Embedding& embedding, const Projection& projection, const Curve_network& curves)
+    : m_embedding(embedding), m_projection(projection), m_curves(curves)
+  {
+  }
+
+  // `sides` of the regions on both sides of the curve; none if there is one only
+  Vector point(const int curve, const double arc_length, const Sides& sides) const
+  {
+    Vector result = m_curves.point(curve, arc_length);
+    if (sides.size() == 2)
+      m_projection.project_on_crease(result, sides[0].region, sides[1].region, m_curves.reach(curve, arc_length));
+    return result;
+  }
+
+  // The normals and what the embedding keeps at a point that is given. Without sides it is in `region`.
+  void update(Vertex& state, const Region region, Sides& sides) const
+  {
+    update(state, region, sides, [&](Vertex& vertex, Region) { m_embedding.place(vertex); });
+  }
+
+  // the same with `place(vertex, region)` for what the embedding keeps
+  template <typename Place>
+  void update(Vertex& state, const Region region, Sides& sides, const Place& place) const
+  {
+    if (sides.empty())
+    {
+      m_projection.update_normal(state, region);
+      place(state, region);
+      return;
+    }
+    for (Crease_side<Vertex>& side : sides)
+    {
+      side.vertex.point = state.point;
+      m_projection.update_normal(side.vertex, side.region);
+      place(side.vertex, side.region);
+    }
+    state = sides.front().vertex;
+  }
+
+private:
+  const Embedding& m_embedding;
+  const Projection& m_projection;
+  const Curve_network& m_curves;
+};
+
+} // namespace internal
+} // namespace Anisotropic_hde_remeshing
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_CURVES_CURVE_PLACEMENT_H

@@ -1,0 +1,81 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+#ifndef CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_MESH_LOCAL_CHANGE_H
+#define CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_MESH_LOCAL_CHANGE_H
+
+#include <CGAL/license/Anisotropic_hde_remeshing.h>
+
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/Working_mesh.h>
+
+#include <boost/container/small_vector.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace CGAL {
+namespace Anisotropic_hde_remeshing {
+namespace internal {
+
+enum class Change_kind
+{
+  REPLACEMENT, // of faces by others
+  SUBDIVISION  // of faces: the new ones cover them
+};
+
+// What an operation would do: the faces that it removes, and those that it puts in their place. The guard looks at it before
+// it is done, and sees nothing else of the operation.
+template <typename Mesh>
+class Local_change
+{
+public:
+  typedef typename Mesh::Vertex Vertex;
+
+  struct Corner
+  {
+    Vertex_index vertex; // none if it does not exist yet
+    const Vertex* state; // as the face sees it; must outlive this object
+  };
+  struct New_face
+  {
+    std::array<Corner, 3> corners;
+    Face_index old_face; // in whose place it stands alone; none if it stands in the place of all
+  };
+  typedef boost::container::small_vector<Face_index, 16> Old_faces;
+  typedef boost::container::small_vector<New_face, 16> New_faces;
+
+  explicit Local_change(const Mesh& mesh, const Change_kind kind = Change_kind::REPLACEMENT) : m_mesh(mesh), m_kind(kind) {}
+
+  void remove(const Face_index f) { m_old_faces.push_back(f); }
+  void add(const Corner& a, const Corner& b, const Corner& c, const Face_index old_face = Mesh::null_face())
+  {
+    m_new_faces.push_back(New_face{{a, b, c}, old_face});
+  }
+
+  // a vertex as it is, to the face of h
+  Corner corner(const Vertex_index v, const Halfedge_index h) const { return Corner{v, &m_mesh.state(v, h)}; }
+
+  Change_kind kind() const { return m_kind; }
+  const Old_faces& old_faces() const { return m_old_faces; }
+  const New_faces& new_faces() const { return m_new_faces; }
+
+  bool removes(const Face_index f) const { return std::find(m_old_faces.begin(), m_old_faces.end(), f) != m_old_faces.end(); }
+
+private:
+  const Mesh& m_mesh;
+  const Change_kind m_kind;
+  Old_faces m_old_faces;
+  New_faces m_new_faces;
+};
+
+} // namespace internal
+} // namespace Anisotropic_hde_remeshing
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_MESH_LOCAL_CHANGE_H

@@ -1,0 +1,272 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+#ifndef CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_MESH_WORKING_MESH_H
+#define CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_MESH_WORKING_MESH_H
+
+#include <CGAL/license/Anisotropic_hde_remeshing.h>
+
+#include <CGAL/Anisotropic_hde_remeshing/internal/functions/pieces.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Vector.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/geometry/folded_edge.h>
+
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/iterator.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <iostream>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Anisotropic_hde_remeshing {
+namespace internal {
+
+// those of any Surface_mesh
+typedef SM_Vertex_index Vertex_index;
+typedef SM_Halfedge_index Halfedge_index;
+typedef SM_Edge_index Edge_index;
+typedef SM_Face_index Face_index;
+
+// A vertex as the operations see it: where it is, and its unit normal, the direction of the function's gradient. 64 bytes, of
+// which sweeps read many.
+struct Vertex_state
+{
+  static constexpr std::uint32_t no_vertex = (std::numeric_limits<std::uint32_t>::max)();
+
+  Vector point = Vector::Zero();
+  Vector normal = Vector::Zero();
+  double last_step = 0;                   // of the projection; what is left of the distance to the surface is quadratic in it
+  std::uint32_t input_vertex = no_vertex; // its number in the input, if it comes from there
+  bool is_on_curve = false;               // of a boundary or of constrained edges, which the vertex does not leave
+  bool is_fixed = false;                  // never moved nor removed
+  bool is_on_crease = false;              // between regions, in each of which it has a state of its own
+  bool is_on_input = false;               // since the function led nowhere; the normal is that of the input
+
+  // whether it was put where the surface is expected, without looking
+  bool is_predicted() const { return std::isinf(last_step); }
+  void set_predicted() { last_step = std::numeric_limits<double>::infinity(); }
+};
+
+// for the input and output that Surface_mesh declares for its points; nothing here uses them
+inline std::ostream& operator<<(std::ostream& out, const Vertex_state& v) { return out << v.point.transpose(); }
+inline std::istream& operator>>(std::istream& in, Vertex_state& v) { return in >> v.point[0] >> v.point[1] >> v.point[2]; }
+
+// with what the embedding keeps at a vertex, which may be nothing
+template <typename Vertex_data>
+struct Embedded_vertex : Vertex_state, Vertex_data
+{
+};
+
+// A vertex on a crease as the faces of one region see it: the point is that of the vertex, the normal that of the region.
+template <typename Vertex>
+struct Crease_side
+{
+  Region region;
+  Vertex vertex;
+};
+
+// The part of a curve that a halfedge runs along: arc lengths from the begin of the curve. They decrease where the halfedge
+// runs against the curve, and go round a closed curve without a jump.
+struct Curve_arc
+{
+  static constexpr int none = -1;        // the edge lies on no curve
+  static constexpr int untouchable = -2; // the edge and its ends stay as they are
+  static constexpr int unnamed = 0;      // for the time until the curves are traced
+
+  int curve = none;
+  double source = 0, target = 0;
+
+  Curve_arc reversed() const { return Curve_arc{curve, target, source}; }
+};
+
+// The mesh that is modified: a copy of the caller's, whatever its type, so that the caller's is untouched until the end and
+// the result does not depend on how it numbers and recycles its elements. An edge knows its arc, a face the face of the input
+// from which it comes, which is the one whose patch and region it is in. `state(v, h)` is the vertex v to the face of h; only on
+// creases it differs from `point(v)`.
+template <typename Vertex_data>
+class Working_mesh : public CGAL::Surface_mesh<Embedded_vertex<Vertex_data>>
+{
+public:
+  typedef Embedded_vertex<Vertex_data> Vertex;
+  typedef CGAL::Surface_mesh<Vertex> Graph;
+  typedef std::vector<Crease_side<Vertex>> Sides;
+
+  Working_mesh() { find_properties(); }
+  Working_mesh(const Working_mesh&) = delete;
+  // not noexcept: looking the properties up allocates
+  Working_mesh& operator=(Working_mesh&& other) // NOLINT(performance-noexcept-move-constructor)
+  {
+    Graph::operator=(std::move(other));
+    m_input_regions = std::move(other.m_input_regions);
+    find_properties();
+    return *this;
+  }
+
+  // what the functions on graphs take
+  Graph& graph() { return *this; }
+  const Graph& graph() const { return *this; }
+
+  using Graph::edge;
+  using Graph::opposite;
+
+  bool is_on_curve(const Edge_index e) const { return m_arcs[e].curve != Curve_arc::none; }
+
+  Curve_arc arc(const Halfedge_index h) const
+  {
+    const Curve_arc& arc = m_arcs[edge(h)];
+    return is_first(h) ? arc : arc.reversed();
+  }
+
+  void set_arc(const Halfedge_index h, const Curve_arc& arc) { m_arcs[edge(h)] = is_first(h) ? arc : arc.reversed(); }
+
+  std::size_t input_face(const Face_index f) const { return m_input_faces[f]; }
+  void set_input_face(const Face_index f, const std::size_t input_face) { m_input_faces[f] = input_face; }
+
+  // the regions of the faces of the input; none if there is only one
+  const std::vector<Region>& input_regions() const { return m_input_regions; }
+  void set_input_regions(std::vector<Region> regions) { m_input_regions = std::move(regions); }
+
+  // of the face of h, or of the one beyond it on the border
+  Region region(const Halfedge_index h) const
+  {
+    if (m_input_regions.empty())
+      return 0;
+    return m_input_regions[m_input_faces[this->face(this->is_border(h) ? opposite(h) : h)]];
+  }
+
+  const Vertex& state(const Vertex_index v, const Halfedge_index h) const
+  {
+    const Vertex& vertex = this->point(v);
+    return vertex.is_on_crease ? side(m_sides[v], region(h)) : vertex;
+  }
+
+  // of a vertex on a crease, by increasing region; the first one is also `point(v)`
+  const Sides& sides(const Vertex_index v) const { return m_sides[v]; }
+  Sides& sides(const Vertex_index v) { return m_sides[v]; }
+
+  static const Vertex& side(const Sides& sides, const Region region)
+  {
+    const auto side = std::find_if(sides.begin(), sides.end(), [&](const auto& s) { return s.region == region; });
+    CGAL_assertion(side != sides.end());
+    return side->vertex;
+  }
+
+  // gives the vertices between regions their sides
+  void mark_creases()
+  {
+    std::vector<Region> regions;
+    for (const Vertex_index v : this->vertices())
+    {
+      regions.clear();
+      for (const Halfedge_index h : this->halfedges_around_target(this->halfedge(v)))
+        if (!this->is_border(h))
+          regions.push_back(region(h));
+      std::sort(regions.begin(), regions.end());
+      regions.erase(std::unique(regions.begin(), regions.end()), regions.end());
+      if (regions.size() < 2)
+        continue;
+      this->point(v).is_on_crease = true;
+      for (const Region r : regions)
+        m_sides[v].push_back(Crease_side<Vertex>{r, this->point(v)});
+    }
+  }
+
+private:
+  // the direction of an edge; an Edge_index remembers the halfedge from which it was made, and tells none
+  bool is_first(const Halfedge_index h) const { return h < opposite(h); }
+
+  void find_properties()
+  {
+    m_arcs = this->template add_property_map<Edge_index, Curve_arc>("e:curve_arc").first;
+    m_input_faces = this->template add_property_map<Face_index, std::size_t>("f:input_face").first;
+    m_sides = this->template add_property_map<Vertex_index, Sides>("v:sides").first;
+  }
+
+  typename Graph::template Property_map<Edge_index, Curve_arc> m_arcs;
+  typename Graph::template Property_map<Face_index, std::size_t> m_input_faces;
+  typename Graph::template Property_map<Vertex_index, Sides> m_sides;
+  std::vector<Region> m_input_regions;
+};
+
+// the numbers of places that vectors indexed by vertices, edges, faces need, removed elements included
+template <typename Mesh>
+std::size_t vertex_capacity(const Mesh& mesh)
+{
+  return mesh.num_vertices();
+}
+template <typename Mesh>
+std::size_t edge_capacity(const Mesh& mesh)
+{
+  return mesh.num_edges();
+}
+template <typename Mesh>
+std::size_t face_capacity(const Mesh& mesh)
+{
+  return mesh.num_faces();
+}
+
+// the three vertices of the face of a halfedge that is not on the border
+struct Triangle
+{
+  Vertex_index a, b, c;
+
+  template <typename Mesh>
+  Triangle(const Halfedge_index h, const Mesh& mesh) : a(mesh.source(h)), b(mesh.target(h)), c(mesh.target(mesh.next(h)))
+  {
+  }
+};
+
+// the states of the three vertices to that face
+template <typename Mesh>
+struct Corners
+{
+  const typename Mesh::Vertex &a, &b, &c;
+
+  Corners(const Triangle& t, const Halfedge_index h, const Mesh& mesh)
+    : a(mesh.state(t.a, h)), b(mesh.state(t.b, h)), c(mesh.state(t.c, h))
+  {
+  }
+  Corners(const Halfedge_index h, const Mesh& mesh) : Corners(Triangle(h, mesh), h, mesh) {}
+};
+
+// The squared length of an edge in the embedding; of one between two regions the larger one.
+template <typename Mesh, typename Embedding>
+double squared_length(const Edge_index e, const Mesh& mesh, const Embedding& embedding)
+{
+  const Halfedge_index h = mesh.halfedge(e), g = mesh.opposite(h);
+  const Vertex_index u = mesh.source(h), v = mesh.target(h);
+  const double length = embedding.squared_length(mesh.state(u, h), mesh.state(v, h));
+  if (!mesh.point(u).is_on_crease || !mesh.point(v).is_on_crease)
+    return length;
+  return (std::max)(length, embedding.squared_length(mesh.state(u, g), mesh.state(v, g)));
+}
+
+// as `triangle_normal()`
+inline Vector face_normal(const Vertex_state& a, const Vertex_state& b, const Vertex_state& c)
+{
+  return triangle_normal(b.point - a.point, c.point - a.point);
+}
+
+template <typename Mesh>
+Vector face_normal(const Halfedge_index h, const Mesh& mesh)
+{
+  const Triangle t(h, mesh);
+  return face_normal(mesh.point(t.a), mesh.point(t.b), mesh.point(t.c));
+}
+
+} // namespace internal
+} // namespace Anisotropic_hde_remeshing
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_MESH_WORKING_MESH_H

@@ -1,0 +1,240 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+#ifndef CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_OPERATIONS_EDGE_SPLITTER_H
+#define CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_OPERATIONS_EDGE_SPLITTER_H
+
+#include <CGAL/license/Anisotropic_hde_remeshing.h>
+
+#include <CGAL/Anisotropic_hde_remeshing/internal/parallel/parallel.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/curves/Curve_network.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/curves/Curve_placement.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/Local_change.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/Working_mesh.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/operations/sorted_edges.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/projection/Surface_projection.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Anisotropic_hde_remeshing {
+namespace internal {
+
+// Splits edges at their middle, put on the surface. The ends of an edge do not change while others are split, so that all
+// middles of a pass are projected in parallel first; the splits are done in the order of the lengths.
+template <typename ConcurrencyTag, typename Embedding, typename Projection, typename Guard>
+class Edge_splitter
+{
+  typedef Working_mesh<typename Embedding::Vertex_data> Mesh;
+  typedef typename Mesh::Vertex Vertex;
+  typedef Local_change<Mesh> Change;
+
+  // guard 4: both halves are shorter than this share of the edge
+  static constexpr double largest_half = 0.98;
+
+public:
+  Edge_splitter(Mesh& mesh, const Embedding& embedding, const Projection& projection, const Curve_network& curves,
+                const Guard& guard, Interruption& interruption)
+    : m_mesh(mesh),
+      m_embedding(embedding),
+      m_projection(projection),
+      m_curves(embedding, projection, curves),
+      m_guard(guard),
+      m_interruption(interruption)
+  {
+  }
+
+  // one pass over the edges longer than `length`, the longest first, `maximum` at most; returns how many it split
+  std::size_t operator()(const double length, const std::size_t maximum = std::size_t(-1)) const
+  {
+    return split(long_edges(length * length, maximum));
+  }
+
+  // the edges given; returns how many it split
+  std::size_t operator()(const std::vector<Edge_index>& edges) const
+  {
+    std::vector<Candidate> candidates;
+    for (const Edge_index e : edges)
+      if (m_mesh.arc(m_mesh.halfedge(e)).curve != Curve_arc::untouchable)
+        candidates.push_back(Candidate{squared_length(e, m_mesh, m_embedding), e});
+    return split(std::move(candidates));
+  }
+
+private:
+  struct Candidate
+  {
+    Candidate(const double squared_length, const Edge_index edge) : squared_length(squared_length), edge(edge) {}
+
+    double squared_length;
+    Edge_index edge;
+    Vertex middle;
+    typename Mesh::Sides sides; // of a middle between two regions
+    bool is_good = false;
+  };
+
+  std::size_t split(std::vector<Candidate> candidates) const
+  {
+    parallel_for<ConcurrencyTag>(
+        candidates.size(), [&](const std::size_t i) { place_middle(candidates[i]); }, 16, m_interruption);
+    std::size_t number_of_splits = 0;
+    for (const Candidate& candidate : candidates)
+    {
+      if (m_interruption.poll())
+        break;
+      if (candidate.is_good && m_guard.accepts(subdivision(candidate)))
+      {
+        split(candidate);
+        ++number_of_splits;
+      }
+    }
+    return number_of_splits;
+  }
+
+  // the longest first
+  std::vector<Candidate> long_edges(const double limit, const std::size_t maximum) const
+  {
+    std::vector<Keyed_edge> edges = sorted_edges<ConcurrencyTag>(
+        m_mesh,
+        [&](const Edge_index e)
+        {
+          const double length = squared_length(e, m_mesh, m_embedding);
+          return length > limit ? -length : no_key;
+        },
+        m_interruption);
+    edges.resize((std::min)(edges.size(), maximum));
+    std::vector<Candidate> candidates;
+    candidates.reserve(edges.size());
+    for (const Keyed_edge& edge : edges)
+      candidates.push_back(Candidate{-edge.first, edge.second});
+    return candidates;
+  }
+
+  void place_middle(Candidate& candidate) const
+  {
+    const Halfedge_index h = m_mesh.halfedge(candidate.edge);
+    if (m_mesh.is_on_curve(candidate.edge))
+    {
+      place_on_curve(h, candidate);
+      candidate.is_good = is_good_middle(h, candidate) && is_good_middle(m_mesh.opposite(h), candidate);
+      return;
+    }
+    place_on_surface(h, candidate.middle);
+    candidate.is_good = is_good_middle(h, candidate);
+  }
+
+  // as the face of h, or the one beyond it, sees it
+  bool is_good_middle(const Halfedge_index h, const Candidate& candidate) const
+  {
+    const Vertex &a = m_mesh.state(m_mesh.source(h), h), &b = m_mesh.state(m_mesh.target(h), h), &middle = state(candidate, h);
+    const double largest = largest_half * largest_half * candidate.squared_length;
+    return m_embedding.squared_length(a, middle) < largest && m_embedding.squared_length(middle, b) < largest &&
+           middle.normal.dot(a.normal + b.normal) > 0;
+  }
+
+  const Vertex& state(const Candidate& candidate, const Halfedge_index h) const
+  {
+    return candidate.middle.is_on_crease ? Mesh::side(candidate.sides, m_mesh.region(h)) : candidate.middle;
+  }
+
+  void place_on_curve(const Halfedge_index h, Candidate& candidate) const
+  {
+    const Curve_arc arc = m_mesh.arc(h);
+    const Region region = m_mesh.region(h), beyond = m_mesh.region(m_mesh.opposite(h));
+    Vertex& middle = candidate.middle;
+    middle.is_on_curve = true;
+    if (region != beyond)
+    {
+      middle.is_on_crease = true;
+      for (const Region r : {(std::min)(region, beyond), (std::max)(region, beyond)})
+        candidate.sides.push_back(Crease_side<Vertex>{r, middle});
+    }
+    middle.point = m_curves.point(arc.curve, 0.5 * (arc.source + arc.target), candidate.sides);
+    m_curves.update(middle, region, candidate.sides,
+                    [&](Vertex& vertex, const Region r)
+                    {
+                      const Halfedge_index side = r == region ? h : m_mesh.opposite(h);
+                      m_embedding.place_between(m_mesh.state(m_mesh.source(h), side), m_mesh.state(m_mesh.target(h), side),
+                                                vertex);
+                    });
+  }
+
+  void place_on_surface(const Halfedge_index h, Vertex& middle) const
+  {
+    const Vertex &a = m_mesh.state(m_mesh.source(h), h), &b = m_mesh.state(m_mesh.target(h), h);
+    const Vector edge = b.point - a.point;
+    middle.point = 0.5 * (a.point + b.point);
+    middle.normal = 0.5 * (a.normal + b.normal);
+    // the height of the circular arc with these normals over its chord
+    if (a.normal.dot(b.normal) > 0)
+      middle.point += (b.normal - a.normal).dot(edge) / 8 * middle.normal.normalized();
+    m_projection.project_roughly(middle, m_mesh.region(h), 0.5 * edge.norm(), 0.02 * edge.norm());
+    m_embedding.place_between(a, b, middle);
+  }
+
+  // what the split changes
+  Change subdivision(const Candidate& candidate) const
+  {
+    Change change(m_mesh, Change_kind::SUBDIVISION);
+    const Halfedge_index h = m_mesh.halfedge(candidate.edge);
+    for (const Halfedge_index side : {h, m_mesh.opposite(h)})
+    {
+      if (m_mesh.is_border(side))
+        continue;
+      const Face_index f = m_mesh.face(side);
+      const Triangle t(side, m_mesh);
+      const typename Change::Corner a = change.corner(t.a, side), b = change.corner(t.b, side), c = change.corner(t.c, side),
+                                    middle{Mesh::null_vertex(), &state(candidate, side)};
+      change.remove(f);
+      change.add(a, middle, c, f);
+      change.add(middle, b, c, f);
+    }
+    return change;
+  }
+
+  void split(const Candidate& candidate) const
+  {
+    const Halfedge_index to = m_mesh.halfedge(candidate.edge);
+    const Curve_arc arc = m_mesh.arc(to);
+    const double middle = 0.5 * (arc.source + arc.target);
+    const Halfedge_index from = CGAL::Euler::split_edge(to, m_mesh.graph());
+    m_mesh.point(m_mesh.target(from)) = candidate.middle;
+    m_mesh.sides(m_mesh.target(from)) = candidate.sides;
+    m_mesh.set_arc(from, Curve_arc{arc.curve, arc.source, middle});
+    m_mesh.set_arc(to, Curve_arc{arc.curve, middle, arc.target});
+    if (!m_mesh.is_border(from))
+      split_face(from, m_mesh.next(m_mesh.next(from)));
+    const Halfedge_index back = m_mesh.opposite(from);
+    if (!m_mesh.is_border(back))
+      split_face(m_mesh.prev(back), m_mesh.next(back));
+    m_guard.update_around(m_mesh.target(from));
+  }
+
+  void split_face(const Halfedge_index g, const Halfedge_index h) const
+  {
+    const std::size_t input_face = m_mesh.input_face(m_mesh.face(g));
+    const Halfedge_index between = CGAL::Euler::split_face(g, h, m_mesh.graph());
+    m_mesh.set_input_face(m_mesh.face(between), input_face);
+    m_mesh.set_input_face(m_mesh.face(m_mesh.opposite(between)), input_face);
+  }
+
+  Mesh& m_mesh;
+  const Embedding& m_embedding;
+  const Projection& m_projection;
+  const Curve_placement<Embedding, Projection> m_curves;
+  const Guard& m_guard;
+  Interruption& m_interruption;
+};
+
+} // namespace internal
+} // namespace Anisotropic_hde_remeshing
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_OPERATIONS_EDGE_SPLITTER_H

@@ -1,0 +1,175 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+#ifndef CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_OPERATIONS_VERTEX_PROJECTOR_H
+#define CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_OPERATIONS_VERTEX_PROJECTOR_H
+
+#include <CGAL/license/Anisotropic_hde_remeshing.h>
+
+#include <CGAL/Anisotropic_hde_remeshing/Remeshing_result.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Interruption.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/curves/Curve_placement.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/Simultaneous_moves.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/Working_mesh.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/operations/Vertex_fitter.h>
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Anisotropic_hde_remeshing {
+namespace internal {
+
+// Moves all vertices at once: onto the surface, and off it again where that makes the faces fit it better. What the guard does
+// not accept is taken back.
+template <typename ConcurrencyTag, typename Embedding, typename Projection, typename Guard>
+class Vertex_projector
+{
+  typedef Working_mesh<typename Embedding::Vertex_data> Mesh;
+  typedef typename Mesh::Vertex Vertex;
+  typedef Simultaneous_moves<Mesh> Moves;
+
+public:
+  Vertex_projector(Mesh& mesh, const Embedding& embedding, const Projection& projection, const Curve_network& curves,
+                   const Guard& guard, Remeshing_result& result)
+    : m_mesh(mesh),
+      m_embedding(embedding),
+      m_projection(projection),
+      m_placement(embedding, projection, curves),
+      m_guard(guard),
+      m_result(result)
+  {
+  }
+
+  // All vertices of the input onto the zero set but those that are fixed or stay on their polylines, and those where the mesh
+  // would fold: these have more attempts.
+  void project_input(Interruption& interruption)
+  {
+    Moves moves = exact_projections(all, interruption);
+    m_guard.template revert_first<ConcurrencyTag>(moves, interruption);
+    moves.template accept<ConcurrencyTag>(m_mesh);
+    for (const Vertex_index v : m_mesh.vertices())
+      if (!moves.is_moved(v))
+      {
+        m_placement.update(m_mesh.point(v), region(v), m_mesh.sides(v));
+        if (is_free(v))
+          m_mesh.point(v).set_predicted();
+      }
+  }
+
+  // All vertices in the end; one whose last way, from a rough projection to the exact one, would fold a face or make it
+  // intersect another one, if that counts, stays where it is. Returns whether it was done: not if it was interrupted.
+  template <typename IsChosen>
+  bool project_exactly(const IsChosen& is_chosen, Interruption& interruption)
+  {
+    Moves moves = exact_projections(is_chosen, interruption);
+    m_guard.template revert<ConcurrencyTag>(moves, interruption);
+    if (interruption.is_requested())
+      return false; // not all have been projected, or looked at
+    moves.template accept<ConcurrencyTag>(m_mesh);
+    for (const Vertex_index v : m_mesh.vertices())
+      if (is_chosen(v) && (!moves.is_moved(v) || m_mesh.point(v).is_on_input) && is_free(v) &&
+          !m_projection.is_on_surface(m_mesh.point(v), region(v)))
+        ++m_result.number_of_unprojected_vertices;
+    return true;
+  }
+
+  bool project_exactly(Interruption& interruption) { return project_exactly(all, interruption); }
+
+  // off the surface again, by least squares
+  void fit(Interruption& interruption)
+  {
+    const std::size_t n = vertex_capacity(m_mesh);
+    std::vector<Vector> points(n, Vector::Zero()), normals(n, Vector::Zero());
+    std::vector<char> is_fitted(n, 0);
+    for (const Vertex_index v : m_mesh.vertices())
+    {
+      const Vertex& vertex = m_mesh.point(v);
+      points[v] = vertex.point;
+      normals[v] = m_projection.orientation(region(v)) * vertex.normal;
+      is_fitted[v] = is_free(v);
+    }
+    std::vector<Facet> facets;
+    std::vector<Region> regions;
+    for (const Face_index f : m_mesh.faces())
+    {
+      const Triangle t(m_mesh.halfedge(f), m_mesh);
+      facets.push_back(Facet{t.a, t.b, t.c});
+      regions.push_back(m_mesh.region(m_mesh.halfedge(f)));
+    }
+    const Vertex_fitter<ConcurrencyTag, typename Projection::Function> fit(m_projection.function(), m_projection.unit());
+    fit(points, normals, is_fitted, facets, regions);
+    Moves moves(m_mesh);
+    moves.template propose<ConcurrencyTag>([&](const Vertex_index v) { return bool(is_fitted[v]); },
+                                           [&](const Vertex_index v, Vertex& state, typename Mesh::Sides&)
+                                           {
+                                             state.point = points[v];
+                                             return true;
+                                           },
+                                           interruption);
+    m_guard.template revert<ConcurrencyTag>(moves, interruption);
+    if (!interruption.is_requested())
+      moves.template accept<ConcurrencyTag>(m_mesh);
+  }
+
+private:
+  static bool all(Vertex_index) { return true; }
+
+  bool is_free(const Vertex_index v) const { return !m_mesh.point(v).is_on_curve && !m_mesh.point(v).is_fixed; }
+
+  template <typename IsChosen>
+  Moves exact_projections(const IsChosen& is_chosen, Interruption& interruption) const
+  {
+    Moves moves(m_mesh);
+    moves.template propose<ConcurrencyTag>(
+        is_chosen,
+        [&](const Vertex_index v, Vertex& state, typename Mesh::Sides& sides)
+        {
+          if (is_free(v))
+          {
+            m_projection.project(state, region(v), 0.5 * mean_edge_length(v));
+            m_embedding.place(state);
+          }
+          else
+            m_placement.update(state, region(v), sides);
+          return true;
+        },
+        interruption);
+    return moves;
+  }
+
+  // of one that is not on a crease
+  Region region(const Vertex_index v) const { return m_mesh.region(m_mesh.halfedge(v)); }
+
+  // in space; the root mean square
+  double mean_edge_length(const Vertex_index v) const
+  {
+    double squared_sum = 0;
+    std::size_t degree = 0;
+    for (const Halfedge_index h : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
+    {
+      squared_sum += (m_mesh.point(m_mesh.source(h)).point - m_mesh.point(v).point).squaredNorm();
+      ++degree;
+    }
+    return std::sqrt(squared_sum / double(degree));
+  }
+
+  Mesh& m_mesh;
+  const Embedding& m_embedding;
+  const Projection& m_projection;
+  const Curve_placement<Embedding, Projection> m_placement;
+  const Guard& m_guard;
+  Remeshing_result& m_result; // where those are counted that are not on the surface
+};
+
+} // namespace internal
+} // namespace Anisotropic_hde_remeshing
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_OPERATIONS_VERTEX_PROJECTOR_H

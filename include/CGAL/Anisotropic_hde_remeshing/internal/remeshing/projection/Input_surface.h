@@ -1,0 +1,77 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+#ifndef CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_PROJECTION_INPUT_SURFACE_H
+#define CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_PROJECTION_INPUT_SURFACE_H
+
+#include <CGAL/license/Anisotropic_hde_remeshing.h>
+
+#include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Closest_facet.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/Working_mesh.h>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Anisotropic_hde_remeshing {
+namespace internal {
+
+// The facets of the input with their vertex normals: where a projection ends if the function leads nowhere.
+class Input_surface
+{
+public:
+  Input_surface(std::vector<Vector> points, std::vector<Facet> facets)
+    : m_points(std::move(points)), m_facets(std::move(facets)), m_normals(m_points.size(), Vector::Zero())
+  {
+    for (const Facet& facet : m_facets)
+    {
+      // weighted by area, as the sum of the cross products is
+      const Vector area = (m_points[facet[1]] - m_points[facet[0]]).cross(m_points[facet[2]] - m_points[facet[0]]);
+      for (const std::size_t v : facet)
+        m_normals[v] += area;
+    }
+    for (Vector& normal : m_normals)
+      normal.stableNormalize();
+  }
+  Input_surface(const Input_surface&) = delete;
+  Input_surface& operator=(const Input_surface&) = delete;
+
+  // whether there is a facet that is not degenerate, and hence a closest one
+  bool empty() const { return m_closest_facet.empty(); }
+
+  // requires that it is not empty
+  Closest_facet::Answer closest(const Vector& p) const { return m_closest_facet(p); }
+
+  // moves `state` to the closest point of the facets and gives it the normal interpolated there
+  void project(Vertex_state& state) const
+  {
+    if (m_closest_facet.empty())
+      return;
+    const Closest_facet::Answer closest = m_closest_facet(state.point);
+    state.point = closest.point;
+    const Facet& facet = m_facets[closest.facet];
+    Vector normal = Vector::Zero();
+    for (int k = 0; k < 3; ++k)
+      normal += closest.barycentric[k] * m_normals[facet[k]];
+    if (normal.norm() > 0)
+      state.normal = normal.normalized();
+  }
+
+private:
+  std::vector<Vector> m_points;
+  std::vector<Facet> m_facets;
+  std::vector<Vector> m_normals;
+  Closest_facet m_closest_facet{m_points, m_facets};
+};
+
+} // namespace internal
+} // namespace Anisotropic_hde_remeshing
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_PROJECTION_INPUT_SURFACE_H

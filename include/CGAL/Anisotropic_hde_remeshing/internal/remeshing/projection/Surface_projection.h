@@ -1,0 +1,272 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+#ifndef CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_PROJECTION_SURFACE_PROJECTION_H
+#define CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_PROJECTION_SURFACE_PROJECTION_H
+
+#include <CGAL/license/Anisotropic_hde_remeshing.h>
+
+#include <CGAL/Anisotropic_hde_remeshing/Remeshing_result.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/functions/evaluation.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/functions/pieces.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/Working_mesh.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/projection/Input_surface.h>
+
+#include <atomic>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Anisotropic_hde_remeshing {
+namespace internal {
+
+// Moves points onto the zero set and gives them its normal: Newton's method along the gradient, then a bracket along the
+// first gradient, then the closest point of the input. Of a piecewise function, the piece of a region is meant. Thread-safe; a
+// point's result depends on nothing but the point.
+template <typename ImplicitFunction>
+class Surface_projection
+{
+public:
+  typedef ImplicitFunction Function;
+
+private:
+  static constexpr int newton_steps = 8;
+  static constexpr int bisection_steps = 60;
+  static constexpr double settled = 1e-4;    // of the distance that counts as exact: Newton's method ends
+  static constexpr double largest_jump = 10; // in the same, where a change of sign counts as a zero
+  // squared sine of 15 degrees: two surfaces that meet at less have no well-defined curve in common
+  static constexpr double smallest_squared_sine = 0.067;
+
+public:
+  // Lengths: `exact_distance` to the zero set is reached by exact projections; `unit` of the coordinates, in that of the
+  // function.
+  Surface_projection(const Function& function, const Input_surface& input, const double exact_distance, const double unit = 1)
+    : m_function(function),
+      m_input(input),
+      m_exact_distance(exact_distance),
+      m_unit(unit),
+      m_orientations(number_of_pieces(function), 1.)
+  {
+  }
+
+  // the mesh of the caller may be oriented against the gradient: then the normals are turned over
+  void set_orientation(const Region region, const double sign) { m_orientations[region] = sign; }
+  double orientation(const Region region) const { return m_orientations[region]; }
+
+  const Function& function() const { return m_function; }
+  const Input_surface& input() const { return m_input; }
+  double unit() const { return m_unit; }
+
+  // whether `project()` would hardly move the point: from a last step of 1e-6 of the diagonal, a thousand times the distance
+  // that counts as exact, Newton's method leaves its square times half a curvature, 1e-9 where that is 2000 over the diagonal
+  bool is_exact(const Vertex_state& state) const { return state.last_step <= 1e3 * m_exact_distance; }
+
+  // whether the point is as near to the zero set as the worst of the exact projections, to first order
+  bool is_on_surface(const Vertex_state& state, const Region region) const
+  {
+    const Value_and_gradient at_point = evaluate(state.point, region);
+    // not if they are not numbers
+    return std::abs(at_point.value) <= largest_jump * m_exact_distance * at_point.gradient.norm();
+  }
+
+  // onto the zero set, as near as doubles allow
+  void project(Vertex_state& state, const Region region, const double trust_radius) const
+  {
+    project(state, region, trust_radius, m_exact_distance);
+  }
+
+  // One evaluation where the start is nearer than `good_distance`: Newton's step from there leaves a distance quadratic in
+  // it. For the iterations, whose vertices move again; the remesher projects all of them exactly in the end.
+  void project_roughly(Vertex_state& state, const Region region, const double trust_radius, const double good_distance) const
+  {
+    project(state, region, trust_radius, good_distance);
+  }
+
+  // The same by Newton's method only: if it does not find the surface, `state` is unchanged and the result is false.
+  bool find_roughly(Vertex_state& state, const Region region, const double trust_radius, const double good_distance) const
+  {
+    if (!newton(state, region, trust_radius, good_distance))
+      return false;
+    m_number_by_newton.fetch_add(1, std::memory_order_relaxed);
+    return true;
+  }
+
+  // the normal at a point that stays where it is: on the polyline of a boundary
+  void update_normal(Vertex_state& state, const Region region) const
+  {
+    Vector normal;
+    if (unit_vector(evaluate(state.point, region).gradient, normal))
+      state.normal = m_orientations[region] * normal;
+  }
+
+  // Onto the curve where the zero sets of two regions meet, by Newton's method on both, each step the shortest that meets both
+  // tangent planes: not along the curve, hence. If that does not lead there within the trust radius, `point` is unchanged and the
+  // result is false.
+  bool project_on_crease(Vector& point, const Region one, const Region other, const double trust_radius) const
+  {
+    Vector p = point;
+    for (int step = 0; step < newton_steps; ++step)
+    {
+      const Value_and_gradient at_one = evaluate(p, one), at_other = evaluate(p, other);
+      Vector normal_of_one, normal_of_other;
+      if (!std::isfinite(at_one.value) || !std::isfinite(at_other.value) || !unit_vector(at_one.gradient, normal_of_one) ||
+          !unit_vector(at_other.gradient, normal_of_other))
+        return false;
+      const double cosine = normal_of_one.dot(normal_of_other), squared_sine = 1 - cosine * cosine;
+      if (!(squared_sine > smallest_squared_sine))
+        return false;
+      const double d = at_one.value / at_one.gradient.norm(), e = at_other.value / at_other.gradient.norm();
+      if (std::abs(d) <= settled * m_exact_distance && std::abs(e) <= settled * m_exact_distance)
+        break;
+      p -= ((d - cosine * e) * normal_of_one + (e - cosine * d) * normal_of_other) / squared_sine;
+      if (!((p - point).squaredNorm() <= trust_radius * trust_radius))
+        return false;
+    }
+    for (const Region region : {one, other})
+    {
+      const Value_and_gradient at_p = evaluate(p, region);
+      if (!(std::abs(at_p.value) <= m_exact_distance * at_p.gradient.norm()))
+        return false;
+    }
+    point = p;
+    m_number_by_newton.fetch_add(1, std::memory_order_relaxed);
+    return true;
+  }
+
+  Projection_counters counters() const
+  {
+    return Projection_counters{m_number_by_newton, m_number_by_bisection, m_number_by_closest_point};
+  }
+
+private:
+  Value_and_gradient evaluate(const Vector& p, const Region region) const
+  {
+    // a step on faces whose curvature overflows, say: no function need bear that, nor squares that overflow
+    if (!std::isfinite(p.squaredNorm()) || !(m_unit * p).allFinite())
+    {
+      Value_and_gradient none;
+      none.value = std::numeric_limits<double>::quiet_NaN();
+      return none;
+    }
+    Value_and_gradient result = value_and_gradient_of(piece(m_function, region), m_unit * p);
+    result.value /= m_unit;
+    return result;
+  }
+
+  static bool unit_vector(const Vector& gradient, Vector& normal)
+  {
+    const double length = gradient.norm();
+    if (!(length > 0) || !std::isfinite(length))
+      return false;
+    normal = gradient / length;
+    return true;
+  }
+
+  void project(Vertex_state& state, const Region region, const double trust_radius, const double distance) const
+  {
+    if (newton(state, region, trust_radius, distance))
+      m_number_by_newton.fetch_add(1, std::memory_order_relaxed);
+    else if (bisection(state, region, trust_radius))
+      m_number_by_bisection.fetch_add(1, std::memory_order_relaxed);
+    else
+    {
+      m_input.project(state);
+      state.last_step = 0;
+      state.is_on_input = true;
+      m_number_by_closest_point.fetch_add(1, std::memory_order_relaxed);
+    }
+  }
+
+  bool newton(Vertex_state& state, const Region region, const double trust_radius, const double distance) const
+  {
+    const bool is_exact = distance <= m_exact_distance;
+    double best_distance = distance;
+    bool is_found = false;
+    const Vector start = state.point;
+    Vector p = start;
+    for (int step = 0; step < newton_steps; ++step)
+    {
+      const Value_and_gradient at_p = evaluate(p, region);
+      Vector normal;
+      if (!std::isfinite(at_p.value) || !unit_vector(at_p.gradient, normal))
+        return is_found;
+      const double signed_distance = at_p.value / at_p.gradient.norm();
+      const Vector next = p - signed_distance * normal;
+      if (!((next - start).squaredNorm() <= trust_radius * trust_radius))
+        return is_found;
+      if (std::abs(signed_distance) <= best_distance)
+      {
+        // A step that counts as exact is looked at, as the function need not be better there than its own noise.
+        state.point = is_exact ? p : next;
+        state.normal = m_orientations[region] * normal;
+        state.last_step = best_distance = std::abs(signed_distance);
+        state.is_on_input = false;
+        is_found = true;
+        if (!is_exact || best_distance <= settled * m_exact_distance)
+          return true;
+      }
+      else if (is_found)
+        return true; // it does not get better
+      p = next;
+    }
+    return is_found;
+  }
+
+  // a change of sign within the trust radius on the line along the gradient of the start, then halved; what it finds must
+  // face the way of the start, or it is another sheet
+  bool bisection(Vertex_state& state, const Region region, const double trust_radius) const
+  {
+    const Value_and_gradient start = evaluate(state.point, region);
+    Vector direction;
+    if (!std::isfinite(start.value) || !unit_vector(start.gradient, direction))
+      return false;
+    direction *= start.value > 0 ? -1. : 1.;
+    double inner = 0, outer = 0;
+    bool is_bracketed = false;
+    for (int k = 1; k <= 8 && !is_bracketed; ++k)
+    {
+      inner = outer;
+      outer = trust_radius * k / 8.;
+      is_bracketed = evaluate(state.point + outer * direction, region).value * start.value <= 0;
+    }
+    if (!is_bracketed)
+      return false;
+    for (int k = 0; k < bisection_steps && outer - inner > 0.5 * m_exact_distance; ++k)
+    {
+      const double middle = 0.5 * (inner + outer);
+      (evaluate(state.point + middle * direction, region).value * start.value > 0 ? inner : outer) = middle;
+    }
+    const Vector p = state.point + outer * direction;
+    const Value_and_gradient at_p = evaluate(p, region);
+    Vector normal;
+    if (!unit_vector(at_p.gradient, normal) || !(normal.dot(start.gradient) > 0))
+      return false;
+    if (!(std::abs(at_p.value) <= largest_jump * m_exact_distance * at_p.gradient.norm()))
+      return false; // the sign changes without a zero
+    state.point = p;
+    state.normal = m_orientations[region] * normal;
+    state.last_step = 0;
+    state.is_on_input = false;
+    return true;
+  }
+
+  const Function& m_function;
+  const Input_surface& m_input;
+  double m_exact_distance;
+  double m_unit;
+  std::vector<double> m_orientations; // by region: 1 or -1
+  mutable std::atomic<std::size_t> m_number_by_newton{0}, m_number_by_bisection{0}, m_number_by_closest_point{0};
+};
+
+} // namespace internal
+} // namespace Anisotropic_hde_remeshing
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_PROJECTION_SURFACE_PROJECTION_H
