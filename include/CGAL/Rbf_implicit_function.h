@@ -322,8 +322,8 @@ private:
     return m_interpolant->template evaluate<order>(normalized);
   }
 
-  // Beyond reach the function is the distance, which grows there by the way. How far the facets are is hard to tell apart, and at
-  // last the squares of coordinates overflow.
+  // Beyond its reach the function has its value at the end of the reach in the same direction, plus the way from there. The distances
+  // to single facets differ too little out there, and in the end the squares of coordinates overflow.
   template <int order>
   Jet<order> evaluate_far(const Eigen::Vector3d& point, const Eigen::Vector3d& normalized) const
   {

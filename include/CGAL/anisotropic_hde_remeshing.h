@@ -166,24 +166,31 @@ of edges and smoothing of vertices. Every vertex inside the surface is put on th
 boundary, of constrained edges and of the edges between patches stay on the polylines that these edges form in the input, whose
 ends, branchings and turns of more than 60 degrees are kept; a closed polyline keeps at least 0.85 of its length.
 
-With one smooth function, sharp edges that are not constrained are rounded. A piecewise function has a smooth piece for each
-region of the surface, and keeps the edges between two regions, the creases. A face sees its vertices with the normals of its
-own region: a vertex on a crease has one normal for each region there. Creases are split, contracted and smoothed along
-themselves, at the larger of the 6D lengths on both sides; no other operation crosses them. Vertices that are new on them, or
-move, stay on the polyline of the input, or where it goes along an arc, evenly and in steps of less than 6 degrees, and the zero
-sets of both regions meet at more than 15 degrees, are put where these meet, within twice the height of that arc over the
-polyline and 5e-4 of the diagonal of the bounding box. Corners, which are the ends, branchings and turns mentioned above, do not move. If there are creases, no edge comes to
-stand for a part of a curve that is anywhere further than 5e-5 of the diagonal of the bounding box from the straight way between
-the ends of that part.
+One smooth function rounds sharp edges that are not constrained. A piecewise function has a smooth piece for each region of the
+surface, and the edges between two regions, the creases, are kept:
+- A face sees its vertices with the normals of its own region. A vertex on a crease has one normal for each region there.
+- Creases are split, contracted and smoothed along themselves. The 6D length of an edge on a crease is the larger one of those on both
+  sides. No other operation crosses a crease.
+- New and moved vertices of a crease are on the polyline of the input. There is one exception: where the polyline goes along an arc,
+  evenly and in steps of less than 6 degrees, and the zero sets of both regions meet at more than 15 degrees, these vertices are put
+  where the zero sets meet. They leave the polyline by at most twice the height of the arc over it, and at most 5e-4 of the diagonal of
+  the bounding box.
+- Corners do not move. They are the ends, branchings and turns mentioned above.
+- If there are creases, the edges on curves follow these closely: the part of a curve that an edge stands for is nowhere further than
+  5e-5 of the diagonal of the bounding box from the straight way between the ends of that part.
 
-For any orientable manifold triangle mesh, any finite parameters and any number of threads, the call ends, and the result is valid,
-manifold and consistently oriented, with the components, boundary loops and Euler characteristic of the input. No face is folded:
-none looks against the normals at its vertices more than those before it, and there are not more edges over which two faces turn by
-more than 143 degrees; no face is degenerate that was not. Vertices that are not on the zero set are counted in the result. With
-`do_self_intersection_tests`, the result has no self-intersection that the input does not have. The result does not depend on the
-number of threads. Anything else is refused before `tmesh` is touched; if an exception is thrown, it is as it was, and so are the
-values of the property maps at its elements, but those of `vertex_location_map`. Property maps that `tmesh` itself keeps are
-written when nothing can fail any more; others, which may throw, while the old elements are still there, and then put back.
+The following holds for any orientable manifold triangle mesh, any finite parameters and any number of threads. Anything else is
+refused before `tmesh` is touched.
+- The call ends. The result is valid, manifold and consistently oriented. It has the components, the boundary loops and the Euler
+  characteristic of the input.
+- No face is folded: none looks against the normals at its vertices, unless it replaces one that did so more, or that was flat. There
+  are not more edges over which two faces turn by more than 143 degrees than before. No face is degenerate that was not.
+- Vertices that are not on the zero set are counted in the result.
+- With `do_self_intersection_tests`, the result has no self-intersection that the input does not have.
+- The result does not depend on the number of threads.
+- If an exception is thrown, `tmesh` is as it was, and so are the values of the property maps at its elements, but those of
+  `vertex_location_map`. Property maps that `tmesh` itself keeps are written when nothing can fail any more. Others may throw: they are
+  written while the old elements are still there, and put back if necessary.
 
 If constraints are given, constrained vertices, the ends, branchings and turns mentioned above, and protected edges keep their
 descriptors; if none are given, all elements are replaced: descriptors become invalid, and isolated vertices are dropped.

@@ -15,8 +15,9 @@ the mesh belongs to one of them, whose number the `face_patch_map` of the mesh t
 the zero set of this piece. The sharp edges are where the zero sets of neighbouring pieces meet, the corners where three or more
 do.
 
-<b>Beyond the faces.</b> A piece is smooth not only at its own faces but also some lengths of their edges beyond, as an edge of the
-mesh is but near to the curve in which two pieces meet, and this is sought from there.
+<b>Beyond the faces.</b> A piece is smooth at its own faces and for some edge lengths beyond them. The edges between two regions are
+only near the curve in which the two pieces meet. The remeshing looks for that curve from these edges, so it evaluates each piece on
+the far side, too.
 
 <b>Orientation.</b> All pieces are negative inside, so that the gradient of each points to where its faces look. (The remeshing
 alone also takes the opposite sign, of each piece by itself.)

@@ -24,8 +24,8 @@ namespace internal {
 // is one region, 0.
 typedef std::uint32_t Region;
 
-// A model of `PiecewiseImplicitFunction` and one of `ImplicitFunctionWithGradient`, which is the only piece of itself, look the
-// same through the functions below.
+// The functions below make all functions look piecewise. A model of `PiecewiseImplicitFunction` has its pieces. A model of
+// `ImplicitFunctionWithGradient` has one piece, itself.
 template <typename Function, typename = void>
 struct Pieces
 {

@@ -60,8 +60,8 @@ public:
 
   Vector point(const int curve, const double arc_length) const { return m_curves[std::size_t(curve)].point(arc_length); }
 
-  // Twice how high a circular arc rises over the polyline there that turns as much, but not much: 0 where it is straight, and where
-  // the polyline turns so much or so unevenly that it does not tell what curve it stands for.
+  // How far a new vertex may lie from the polyline: twice the height of the circular arc that turns as the polyline does there.
+  // It is 0 where the polyline is straight. It is also 0 where the polyline turns too much or too unevenly to stand for an arc.
   double reach(const int curve, const double arc_length) const
   {
     return (std::min)(m_curves[std::size_t(curve)].reach(arc_length), largest_reach_per_deviation * m_largest_deviation);

@@ -31,8 +31,8 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// The faces of a mesh in an R-tree: whether others would intersect them, by the predicates of `Kernel`. What intersects already
-// may go on to.
+// The faces of a mesh in an R-tree. It tells whether other faces would intersect them, by the predicates of `Kernel`. Faces that
+// intersect each other already may go on to do so.
 template <typename Kernel>
 class Intersection_guard
 {

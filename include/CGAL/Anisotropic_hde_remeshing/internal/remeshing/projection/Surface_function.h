@@ -22,9 +22,8 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// The caller's function without its type, which is that of no template of the remesher, hence: it takes half a minute to
-// compile, and does so once for all functions. A call through a pointer takes nanoseconds, an evaluation of radial basis
-// functions microseconds.
+// The caller's function without its type. The remesher is no template of that type, so it is compiled once for all functions, which
+// takes half a minute. A call through a pointer takes nanoseconds, an evaluation of radial basis functions microseconds.
 class Surface_function
 {
 public:

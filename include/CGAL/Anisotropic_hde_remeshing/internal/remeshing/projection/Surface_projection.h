@@ -148,7 +148,7 @@ public:
 private:
   Value_and_gradient evaluate(const Vector& p, const Region region) const
   {
-    // a step on faces whose curvature overflows, say: no function need bear that, nor squares that overflow
+    // A point may overflow, for instance after a step where the curvature does. No function has to answer there.
     if (!std::isfinite(p.squaredNorm()) || !(m_unit * p).allFinite())
     {
       Value_and_gradient none;
