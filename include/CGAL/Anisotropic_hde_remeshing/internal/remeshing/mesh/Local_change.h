@@ -25,12 +25,12 @@ namespace internal {
 
 enum class Change_kind
 {
-  REPLACEMENT, // of faces by others
-  SUBDIVISION  // of faces: the new ones cover them
+  REPLACEMENT, // other faces take the place of the old ones
+  SUBDIVISION  // the new faces cover the old ones
 };
 
-// What an operation would do: the faces that it removes, and those that it puts in their place. The guard looks at it before
-// it is done, and sees nothing else of the operation.
+// What an operation would do: the faces that it removes, and the faces that it puts in their place. The guard judges the
+// operation by this alone, before it is done.
 template <typename Mesh>
 class Local_change
 {
@@ -45,7 +45,7 @@ public:
   struct New_face
   {
     std::array<Corner, 3> corners;
-    Face_index old_face; // in whose place it stands alone; none if it stands in the place of all
+    Face_index old_face; // the face that it replaces alone; none if the new faces replace all old ones together
   };
   typedef boost::container::small_vector<Face_index, 16> Old_faces;
   typedef boost::container::small_vector<New_face, 16> New_faces;
@@ -58,7 +58,7 @@ public:
     m_new_faces.push_back(New_face{{a, b, c}, old_face});
   }
 
-  // a vertex as it is, to the face of h
+  // a vertex as it is, as the face of h sees it
   Corner corner(const Vertex_index v, const Halfedge_index h) const { return Corner{v, &m_mesh.state(v, h)}; }
 
   Change_kind kind() const { return m_kind; }

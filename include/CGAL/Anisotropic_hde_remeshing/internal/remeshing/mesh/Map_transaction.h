@@ -24,7 +24,7 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// whether a property map is one that the mesh itself keeps
+// whether the mesh itself keeps the property map
 template <typename TriangleMesh, typename Map, typename Key>
 struct Is_own_map : std::false_type
 {
@@ -35,7 +35,8 @@ struct Is_own_map<Surface_mesh<Point>, Map, Key>
 {
 };
 
-// Overwrites values of a property map of the caller's, which may throw, and puts back what was there unless all is committed.
+// Overwrites values of one of the caller's property maps, which may throw. Puts the old values back unless `commit()` is
+// called.
 template <typename Map, typename Key>
 class Map_transaction
 {
@@ -67,7 +68,7 @@ private:
     {
       put(m_map, old.first, old.second);
     }
-    catch (...) // a value was there already: a map that throws now never had this one written
+    catch (...) // if the map throws now, it has thrown in write() too: the old value is still there
     {
     }
   }

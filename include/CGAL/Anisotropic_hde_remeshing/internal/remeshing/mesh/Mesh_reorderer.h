@@ -29,8 +29,8 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// Numbers the elements along a curve of Hilbert, so that neighbours in space are neighbours in memory: the operations on a mesh
-// in a random order wait for memory most of the time. Removed elements are dropped.
+// Numbers the elements along a Hilbert curve, so that neighbours in space are neighbours in memory. On a mesh in random order,
+// the operations wait for memory most of the time. Removed elements are dropped.
 template <typename ConcurrencyTag, typename Mesh>
 class Mesh_reorderer
 {
@@ -78,7 +78,8 @@ private:
     }
   }
 
-  // by the smallest of the numbers of its vertices, which elements of the same order are near each other by
+  // Sorts elements by `number(element)`, the smallest number of their vertices. So elements that follow each other are near
+  // each other.
   template <typename Element, typename Elements, typename Number>
   std::vector<Element> in_order(const Elements& elements, const Number& number) const
   {
@@ -147,8 +148,8 @@ private:
   Mesh& m_mesh;
   Interruption& m_interruption;
   Mesh m_ordered;
-  std::vector<Vertex_index> m_vertices;    // of the ordered mesh, by those of the mesh
-  std::vector<Halfedge_index> m_halfedges; // likewise
+  std::vector<Vertex_index> m_vertices;    // of the ordered mesh, by vertices of the mesh
+  std::vector<Halfedge_index> m_halfedges; // of the ordered mesh, by halfedges of the mesh
 };
 
 template <typename ConcurrencyTag, typename Mesh>

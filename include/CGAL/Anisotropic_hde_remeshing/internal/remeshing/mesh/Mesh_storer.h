@@ -37,10 +37,10 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// Replaces the remeshed faces of the caller's mesh. What it does not replace keeps its descriptors: all outside of these faces,
-// the fixed vertices, and the edges that must not be touched. If memory runs out or a property map of the caller's throws, the
-// caller's mesh is as it was, but for the garbage of a Surface_mesh: all that may throw is done while the old elements are there,
-// and what is written over them is put back. `LocationMap` may be internal_np::Param_not_found.
+// Replaces the remeshed faces of the caller's mesh. Three kinds of elements keep their descriptors: all outside of these faces,
+// the fixed vertices, and the edges that must not be touched. If memory runs out or one of the caller's property maps throws,
+// the caller's mesh is as it was before, except for the garbage of a Surface_mesh. To this end, all that may throw is done
+// while the old elements are there, and overwritten values are put back. `LocationMap` may be internal_np::Param_not_found.
 template <typename ConcurrencyTag, typename Mesh, typename TriangleMesh, typename VertexPointMap, typename Constraints,
           typename LocationMap>
 class Mesh_storer
@@ -73,14 +73,14 @@ public:
   {
   }
 
-  // `is_all_replaced`: nothing needs to keep its descriptors
+  // `is_all_replaced`: no element has to keep its descriptor
   void operator()(const bool is_all_replaced)
   {
     if (!is_all_replaced)
       keep_elements();
     list_new_elements(is_all_replaced);
     if constexpr (is_surface_mesh(static_cast<const TriangleMesh*>(nullptr)))
-      if (is_all_replaced && (has_own_maps() || !m_tmesh.has_garbage())) // to collect it would change the keys of the maps
+      if (is_all_replaced && (has_own_maps() || !m_tmesh.has_garbage())) // collecting it would change the maps' keys
         return renew();
     replace(is_all_replaced);
   }
@@ -90,7 +90,7 @@ private:
 
   static std::size_t index(const Halfedge_index h) { return std::size_t(h); }
 
-  // at once, a Surface_mesh
+  // replaces all elements of a Surface_mesh at once
   void renew()
   {
     const New_points<Point, Mesh> points(m_mesh, m_origin.unit, m_new_vertices);
@@ -108,7 +108,7 @@ private:
     connect(added, true);
   }
 
-  // one after the other
+  // replaces the elements one after the other
   void replace(const bool is_all_replaced)
   {
     const auto patches = patches_of_input(is_all_replaced);
@@ -129,7 +129,7 @@ private:
     connect(added, is_all_replaced);
   }
 
-  // of the new elements, beside which the old ones are still there, and of those that are kept
+  // Writes the maps of the new elements and of the kept ones. The old elements are still there.
   template <typename Patches>
   void write_maps(const New_elements<TriangleMesh>& added, const Patches& patches, const bool is_all_replaced)
   {
@@ -152,7 +152,8 @@ private:
     written.commit();
   }
 
-  // Protected creases, which the caller may not have marked. Those on the border of the remeshed faces are not touched.
+  // Marks the protected creases as constrained, because the caller may not have marked them. Edges on the border of the
+  // remeshed faces are not touched.
   void write_kept_edges(Map_transaction<Edge_is_constrained_map, Edge>& written) const
   {
     for (const Edge_index e : m_mesh.edges())
@@ -164,7 +165,7 @@ private:
       }
   }
 
-  // Those that are no property maps of the mesh itself, by the numbers that its vertices will have.
+  // Writes the property maps that the mesh does not keep itself. The keys are the numbers that the new vertices will have.
   void write_foreign_maps(const New_points<Point, Mesh>& points, Map_transaction<VertexPointMap, Vertex>& written) const
   {
     if constexpr (!is_own_map<VertexPointMap, Vertex>)
@@ -184,7 +185,7 @@ private:
 
   static Vertex numbered_vertex(const std::size_t i) { return Vertex(static_cast<typename TriangleMesh::size_type>(i)); }
 
-  // whether no property map of the caller's is written but those of the mesh itself, where that is as good as free of exceptions
+  // Whether all property maps to write are those that the mesh keeps itself. Writing them practically never throws.
   static constexpr bool has_own_maps()
   {
     if constexpr (!has_locations)
@@ -205,7 +206,7 @@ private:
       m_vertices[m_new_vertices[i]] = added[i];
   }
 
-  // by the number of the face among those that are remeshed: their descriptors will be gone
+  // The patches of the remeshed faces, by their numbers: their descriptors will be gone.
   auto patches_of_input(const bool is_all_replaced) const
   {
     typedef Value_of_map<std::decay_t<decltype(m_constraints.face_patch)>, Face> Patch;
@@ -237,7 +238,8 @@ private:
     std::vector<Vertex> vertices;
   };
 
-  // the edges and vertices of the faces that are replaced, but those that are kept; and the border that stays
+  // Lists the edges and vertices of the replaced faces, except those that are kept. It also stores the border halfedges that
+  // stay in m_border.
   Old_elements list_old_elements(const bool is_all_replaced)
   {
     if (is_all_replaced)
@@ -296,7 +298,7 @@ private:
 
   bool is_kept(const Edge_index e) const { return m_halfedges[index(m_mesh.halfedge(e))] != Graph_traits::null_halfedge(); }
 
-  // and reserves memory for their border
+  // also reserves memory for the border halfedges of the new elements
   void list_new_elements(const bool is_all_replaced)
   {
     std::size_t number_of_border_edges = 0;
@@ -313,8 +315,8 @@ private:
     m_border.reserve(number_of_border_edges);
   }
 
-  // Elements of a Surface_mesh are written by several threads. The maps of the caller may not stand that; where all elements
-  // are replaced there are none.
+  // Several threads write the elements of a Surface_mesh. The caller's property maps may not allow that. Where all elements are
+  // replaced, no such map is written.
   template <typename Function>
   void for_each(const std::size_t n, const bool is_all_replaced, const Function& f) const
   {
@@ -337,7 +339,7 @@ private:
   }
   static constexpr bool is_surface_mesh(const void*) { return false; }
 
-  // all at once, which throws nothing
+  // connects all new elements; nothing here throws
   void connect(const New_elements<TriangleMesh>& added, const bool is_all_replaced)
   {
     connect_edges(added.edges, is_all_replaced);
@@ -387,8 +389,9 @@ private:
       set_halfedge(m_vertices[v], m_halfedges[index(m_mesh.halfedge(v))], m_tmesh);
   }
 
-  // At a manifold vertex there is one border halfedge that leaves it, beyond the faces about it. It is the vertex's own, as
-  // in a mesh that CGAL builds.
+  // Finds the successor of each border halfedge. A manifold vertex has only one border halfedge that leaves it: the walk over
+  // the faces around the vertex ends there. The border halfedge that ends at the vertex becomes the vertex's own, as in a mesh
+  // that CGAL builds.
   void close_border() const
   {
     for (const Halfedge h : m_border)
@@ -409,11 +412,11 @@ private:
   const LocationMap m_location_map;
   const std::vector<Input_location>& m_locations;
   std::vector<Vertex> m_vertices;
-  std::vector<Halfedge> m_halfedges;        // of the caller's mesh, by those of the working mesh
-  std::vector<Vertex_index> m_new_vertices; // what the caller's mesh does not have yet
+  std::vector<Halfedge> m_halfedges;        // of the caller's mesh, by halfedges of the working mesh
+  std::vector<Vertex_index> m_new_vertices; // elements that the caller's mesh does not have yet
   std::vector<Edge_index> m_new_edges;
   std::vector<Face_index> m_new_faces;
-  std::vector<Halfedge> m_border; // whose next halfedge may be another one in the end
+  std::vector<Halfedge> m_border; // border halfedges that may get another next halfedge
 };
 
 } // namespace internal

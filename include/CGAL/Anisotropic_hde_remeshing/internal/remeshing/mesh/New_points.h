@@ -21,8 +21,8 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// The points of vertices of the working mesh as the caller's mesh has them. Those of exact kernels ask for memory, and are made
-// in advance.
+// Converts vertices of the working mesh to points of the caller's mesh. A point of an exact kernel asks for memory, so such
+// points are made in advance.
 template <typename Point, typename Mesh>
 class New_points
 {

@@ -21,8 +21,8 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// The shape operator S at a vertex, in a tangent frame, from the neighbours: the differences of their normals are S times those
-// of their points; three unknowns, least squares.
+// The shape operator S at a vertex, in a tangent frame, estimated from the neighbours. Along an edge the normal changes by S
+// times the edge. The three unknowns of S are the least squares solution of these equations.
 class Shape_operator_estimate
 {
 public:
@@ -52,7 +52,8 @@ private:
   Eigen::Vector3d m_right = Eigen::Vector3d::Zero();
 };
 
-// as the face of `in` sees it, which ends at the vertex, by the neighbours in its region; in tangent_frame() of the normal there
+// The shape operator at the target of `in`, in tangent_frame() of the normal there. On a crease it is that of the region of
+// `in`: only neighbours in this region count.
 template <typename Mesh>
 Eigen::Matrix2d shape_operator_at(const Halfedge_index in, const Mesh& mesh)
 {

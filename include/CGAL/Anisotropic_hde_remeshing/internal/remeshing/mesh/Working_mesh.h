@@ -32,37 +32,37 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// those of any Surface_mesh
+// the index types of any Surface_mesh
 typedef SM_Vertex_index Vertex_index;
 typedef SM_Halfedge_index Halfedge_index;
 typedef SM_Edge_index Edge_index;
 typedef SM_Face_index Face_index;
 
-// A vertex as the operations see it: where it is, and its unit normal, the direction of the function's gradient. 64 bytes, of
-// which sweeps read many.
+// A vertex as the operations see it. The normal is the unit vector in the direction of the function's gradient. The size of 64
+// bytes matters, because sweeps read many vertices.
 struct Vertex_state
 {
   static constexpr std::uint32_t no_vertex = (std::numeric_limits<std::uint32_t>::max)();
 
   Vector point = Vector::Zero();
   Vector normal = Vector::Zero();
-  double last_step = 0;                   // of the projection; what is left of the distance to the surface is quadratic in it
+  double last_step = 0;                   // of the projection; the distance to the surface that is left is quadratic in it
   std::uint32_t input_vertex = no_vertex; // its number in the input, if it comes from there
-  bool is_on_curve = false;               // of a boundary or of constrained edges, which the vertex does not leave
-  bool is_fixed = false;                  // never moved nor removed
-  bool is_on_crease = false;              // between regions, in each of which it has a state of its own
-  bool is_on_input = false;               // since the function led nowhere; the normal is that of the input
+  bool is_on_curve = false;               // the vertex stays on a boundary or on constrained edges
+  bool is_fixed = false;                  // neither moved nor removed
+  bool is_on_crease = false;              // between regions, with a state for each of them
+  bool is_on_input = false;               // the function led nowhere; the normal is that of the input
 
-  // whether it was put where the surface is expected, without looking
+  // whether it was put where the surface is expected, without an evaluation of the function
   bool is_predicted() const { return std::isinf(last_step); }
   void set_predicted() { last_step = std::numeric_limits<double>::infinity(); }
 };
 
-// for the input and output that Surface_mesh declares for its points; nothing here uses them
+// Surface_mesh declares its own input and output, and these need operators for its points. Nothing here uses them.
 inline std::ostream& operator<<(std::ostream& out, const Vertex_state& v) { return out << v.point.transpose(); }
 inline std::istream& operator>>(std::istream& in, Vertex_state& v) { return in >> v.point[0] >> v.point[1] >> v.point[2]; }
 
-// with what the embedding keeps at a vertex, which may be nothing
+// a vertex with the data that the embedding keeps there; there may be none
 template <typename Vertex_data>
 struct Embedded_vertex : Vertex_state, Vertex_data
 {
@@ -76,13 +76,13 @@ struct Crease_side
   Vertex vertex;
 };
 
-// The part of a curve that a halfedge runs along: arc lengths from the begin of the curve. They decrease where the halfedge
-// runs against the curve, and go round a closed curve without a jump.
+// The part of a curve along which a halfedge runs, by arc lengths from the beginning of the curve. They decrease if the
+// halfedge runs against the curve. On a closed curve they go on past its beginning without a jump.
 struct Curve_arc
 {
   static constexpr int none = -1;        // the edge lies on no curve
   static constexpr int untouchable = -2; // the edge and its ends stay as they are
-  static constexpr int unnamed = 0;      // for the time until the curves are traced
+  static constexpr int unnamed = 0;      // until the curves are traced
 
   int curve = none;
   double source = 0, target = 0;
@@ -90,10 +90,10 @@ struct Curve_arc
   Curve_arc reversed() const { return Curve_arc{curve, target, source}; }
 };
 
-// The mesh that is modified: a copy of the caller's, whatever its type, so that the caller's is untouched until the end and
-// the result does not depend on how it numbers and recycles its elements. An edge knows its arc, a face the face of the input
-// from which it comes, which is the one whose patch and region it is in. `state(v, h)` is the vertex v to the face of h; only on
-// creases it differs from `point(v)`.
+// The mesh that is modified: a copy of the caller's mesh of whatever type. So the caller's mesh is untouched until the end. Nor
+// does the result depend on how the caller's mesh numbers and recycles its elements. An edge knows its arc. A face knows from
+// which face of the input it comes, and is in the patch and the region of that face. `state(v, h)` is the vertex v as the face
+// of h sees it. It differs from `point(v)` on creases only.
 template <typename Vertex_data>
 class Working_mesh : public CGAL::Surface_mesh<Embedded_vertex<Vertex_data>>
 {
@@ -113,7 +113,7 @@ public:
     return *this;
   }
 
-  // what the functions on graphs take
+  // the type that functions on graphs take
   Graph& graph() { return *this; }
   const Graph& graph() const { return *this; }
 
@@ -133,11 +133,11 @@ public:
   std::size_t input_face(const Face_index f) const { return m_input_faces[f]; }
   void set_input_face(const Face_index f, const std::size_t input_face) { m_input_faces[f] = input_face; }
 
-  // the regions of the faces of the input; none if there is only one
+  // the regions of the faces of the input; empty if there is only one region
   const std::vector<Region>& input_regions() const { return m_input_regions; }
   void set_input_regions(std::vector<Region> regions) { m_input_regions = std::move(regions); }
 
-  // of the face of h, or of the one beyond it on the border
+  // of the face of h; if h is on the border, of the face on its other side
   Region region(const Halfedge_index h) const
   {
     if (m_input_regions.empty())
@@ -151,7 +151,7 @@ public:
     return vertex.is_on_crease ? side(m_sides[v], region(h)) : vertex;
   }
 
-  // of a vertex on a crease, by increasing region; the first one is also `point(v)`
+  // the sides of a vertex on a crease, by increasing region; the first one is also `point(v)`
   const Sides& sides(const Vertex_index v) const { return m_sides[v]; }
   Sides& sides(const Vertex_index v) { return m_sides[v]; }
 
@@ -183,7 +183,8 @@ public:
   }
 
 private:
-  // the direction of an edge; an Edge_index remembers the halfedge from which it was made, and tells none
+  // Whether h has the direction in which its edge stores the arc. An Edge_index does not tell a direction: it remembers the
+  // halfedge from which it was made.
   bool is_first(const Halfedge_index h) const { return h < opposite(h); }
 
   void find_properties()
@@ -199,7 +200,7 @@ private:
   std::vector<Region> m_input_regions;
 };
 
-// the numbers of places that vectors indexed by vertices, edges, faces need, removed elements included
+// The sizes of vectors that are indexed by vertices, edges or faces. Removed elements have places in them too.
 template <typename Mesh>
 std::size_t vertex_capacity(const Mesh& mesh)
 {
@@ -227,7 +228,7 @@ struct Triangle
   }
 };
 
-// the states of the three vertices to that face
+// the three vertices as that face sees them
 template <typename Mesh>
 struct Corners
 {
@@ -240,7 +241,7 @@ struct Corners
   Corners(const Halfedge_index h, const Mesh& mesh) : Corners(Triangle(h, mesh), h, mesh) {}
 };
 
-// The squared length of an edge in the embedding; of one between two regions the larger one.
+// The squared length of an edge in the embedding. An edge between two regions has a length in each; the larger one counts.
 template <typename Mesh, typename Embedding>
 double squared_length(const Edge_index e, const Mesh& mesh, const Embedding& embedding)
 {

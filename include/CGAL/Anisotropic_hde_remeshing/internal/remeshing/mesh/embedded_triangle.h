@@ -18,7 +18,7 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// A triangle in the embedding is known by the squared lengths of its edges, from which its area and angles follow.
+// A triangle in the embedding is given by the squared lengths of its edges. Its area and angles follow from them.
 namespace Embedded_triangle {
 
 // by Heron's formula; 0 where the lengths of a curved embedding violate the triangle inequality

@@ -48,13 +48,14 @@ struct Mesh_origin
   std::vector<typename Graph_traits::vertex_descriptor> vertices; // by Vertex_state::input_vertex
   std::vector<typename Graph_traits::face_descriptor> faces;      // the remeshed ones, by Working_mesh::input_face()
   std::vector<std::size_t> face_positions;                        // among all faces of the input
-  std::vector<Facet> facets;                                      // their vertices, from that on which comes first in the input
+  std::vector<Facet> facets;                                      // their vertices, rotated so that the smallest comes first
   std::size_t number_of_isolated_vertices = 0;
   double diagonal = 0; // of the box about the whole input
-  double unit = 1;     // of the copy: the power of two that makes the diagonal less than one but no less than a half
+  double unit = 1;     // of the copy: a power of two; the diagonal in this unit is at least a half and less than one
 };
 
-// Copies faces of the caller's mesh, all or some, in a unit of its own, so that products of lengths neither overflow nor vanish. Where these touch in a vertex only, the copy has a vertex for each side.
+// Copies all or some faces of the caller's mesh. The copy has a unit of its own, so that products of lengths neither overflow
+// nor vanish. Where copied faces touch in a vertex only, the copy has a vertex for each side.
 template <typename TriangleMesh, typename VertexPointMap, typename Constraints, typename Mesh>
 class Mesh_loader
 {
@@ -70,8 +71,8 @@ public:
   {
   }
 
-  // Throws Interrupted, std::invalid_argument if the faces are not a manifold mesh of triangles with finite coordinates, or none,
-  // and std::length_error if there are too many.
+  // Throws Interrupted. Throws std::invalid_argument if the faces are not a manifold mesh of triangles with finite coordinates,
+  // or if there are none. Throws std::length_error if there are too many.
   template <typename FaceRange>
   Mesh_origin<TriangleMesh> operator()(const FaceRange& range, Mesh& mesh)
   {
@@ -122,7 +123,7 @@ private:
       throw std::invalid_argument("there are no faces to remesh");
   }
 
-  // three halfedges a face, and those of the boundary
+  // counts three halfedges for each face, and those of the boundary
   void check_size() const
   {
     std::size_t number = 3 * m_origin.faces.size();
@@ -168,7 +169,8 @@ private:
       mesh.point(v).point /= m_origin.unit;
   }
 
-  // one that stands for the target of h in the selected faces between which and that of h there is no other
+  // Adds a vertex that stands for the target of h in a fan of selected faces around it. The fan goes from the face of h to both
+  // sides, up to the first face that is not selected.
   void add_vertex(const Halfedge h, const Vector& point, Mesh& mesh)
   {
     const Vertex v = target(h, m_tmesh);
@@ -205,7 +207,8 @@ private:
 
   static Vertex_index vertex_index(const std::size_t i) { return Vertex_index(static_cast<Vertex_index::size_type>(i)); }
 
-  // the boundary, the constrained edges, the creases, and the edges between two patches; where the other faces begin, nothing is touched
+  // Marks the boundary, the constrained edges, the creases, and the edges between two patches. Edges to faces that are not
+  // selected are marked as untouchable.
   void mark_curves(Mesh& mesh) const
   {
     for (std::size_t i = 0; i < m_origin.faces.size(); ++i)
@@ -250,7 +253,7 @@ private:
   Mesh_origin<TriangleMesh> m_origin;
   typename boost::property_map<TriangleMesh, dynamic_face_property_t<bool>>::const_type m_is_selected{
       get(dynamic_face_property_t<bool>(), m_tmesh)};
-  // the vertex of the copy that stands for the target, in the face of the halfedge
+  // by halfedge: the vertex of the copy that stands for its target in its face
   typename boost::property_map<TriangleMesh, dynamic_halfedge_property_t<std::size_t>>::const_type m_vertex_of{
       get(dynamic_halfedge_property_t<std::size_t>(), m_tmesh)};
 };

@@ -50,7 +50,8 @@ void reserve_elements(std::size_t, std::size_t, std::size_t, TriangleMesh&)
 {
 }
 
-// One that runs out of memory while it adds an element is left with property maps of different sizes.
+// A Surface_mesh that runs out of memory while it adds an element is left with property maps of different sizes. So all memory
+// is reserved first.
 template <typename Point>
 void reserve_elements(const std::size_t number_of_vertices, const std::size_t number_of_edges,
                       const std::size_t number_of_faces, Surface_mesh<Point>& tmesh)
@@ -61,7 +62,7 @@ void reserve_elements(const std::size_t number_of_vertices, const std::size_t nu
                 size_type(tmesh.num_faces() + number_of_faces));
 }
 
-// all of them, or none if one throws
+// adds all of them, or none if adding one throws
 template <typename TriangleMesh>
 New_elements<TriangleMesh> add_elements(const std::size_t number_of_vertices, const std::size_t number_of_edges,
                                         const std::size_t number_of_faces, TriangleMesh& tmesh)
@@ -88,8 +89,8 @@ New_elements<TriangleMesh> add_elements(const std::size_t number_of_vertices, co
   return result;
 }
 
-// In the place of all that there are, numbered from 0 on, in a fraction of the time that it takes to add some and to remove the
-// others. The property maps of the mesh stay, among them perhaps the one of the points.
+// Replaces all elements of the mesh by new ones, numbered from 0 on. That is many times faster than to add the new ones and to
+// remove the old ones. The property maps of the mesh stay. The map of the points may be one of them.
 template <typename Point>
 New_elements<Surface_mesh<Point>> replace_elements(const std::size_t number_of_vertices, const std::size_t number_of_edges,
                                                    const std::size_t number_of_faces, Surface_mesh<Point>& tmesh)
@@ -103,7 +104,7 @@ New_elements<Surface_mesh<Point>> replace_elements(const std::size_t number_of_v
   result.faces.reserve(number_of_faces);
   if (tmesh.has_garbage())
     tmesh.collect_garbage();
-  // from here to the end nothing asks for memory
+  // after this line nothing asks for memory
   tmesh.reserve(size_type(number_of_vertices), size_type(number_of_edges), size_type(number_of_faces));
   tmesh.resize(0, 0, 0);
   tmesh.resize(size_type(number_of_vertices), size_type(number_of_edges), size_type(number_of_faces));

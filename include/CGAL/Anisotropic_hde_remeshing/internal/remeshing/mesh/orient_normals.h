@@ -20,8 +20,8 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// For each region 1 if its faces look along the gradients at their vertices, -1 if most of their area looks against them. Normals of
-// the input look the way of the faces, and tell nothing.
+// By region: -1 if most of the area of its faces looks against the gradients at their vertices, 1 otherwise. A normal of the
+// input looks the way of the faces: it tells nothing and does not count.
 template <typename Mesh>
 std::vector<double> orientations(const Mesh& mesh, const std::size_t number_of_regions)
 {
@@ -39,7 +39,7 @@ std::vector<double> orientations(const Mesh& mesh, const std::size_t number_of_r
   return result;
 }
 
-// turns the gradients of those regions over
+// turns the normals over in the regions with orientation -1
 template <typename Mesh>
 void orient_normals(Mesh& mesh, const std::vector<double>& orientations)
 {
