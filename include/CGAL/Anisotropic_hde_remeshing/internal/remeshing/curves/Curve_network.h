@@ -24,17 +24,18 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// The polylines of the input that the mesh keeps: its boundaries, the constrained edges and the edges between patches. A
-// curve goes from corner to corner, or is closed without one. Corners, where curves end, branch or turn sharply, are fixed;
-// the other vertices of a curve stay on it.
+// The polylines of the input that the mesh keeps: its boundaries, the constrained edges and the edges between patches. A curve
+// goes from corner to corner, or is closed without a corner. A corner is where curves end, branch or turn sharply. Corners are
+// fixed. The other vertices of a curve stay on it.
 class Curve_network
 {
   // polylines turn by more than this, in radians, at a corner
   static constexpr double corner_angle = 60 * 3.14159265358979323846 / 180;
-  // of an arc at each point: 60 edges for a circle; and by which share that may differ at the ends of an edge
+  // A polyline stands for an arc if it turns by at most this angle at each point, in radians: a circle has at least 60 edges.
+  // The turns at the ends of an edge must not differ by more than this share of their mean.
   static constexpr double largest_turn_of_arc = 6 * 3.14159265358979323846 / 180;
   static constexpr double largest_change_of_turn = 0.5;
-  // how far a vertex of a crease may be from its polyline, over how far an edge may
+  // the largest distance of a vertex of a crease from its polyline, as a multiple of that of an edge
   static constexpr double largest_reach_per_deviation = 10;
 
 public:
@@ -50,7 +51,7 @@ public:
         mesh.point(v).is_fixed = mesh.point(v).is_fixed || degrees[v] != 2 || is_sharp(v, mesh);
       }
     std::vector<char> is_traced(edge_capacity(mesh), 0);
-    for (const bool from_corners : {true, false}) // what no corner reaches is closed
+    for (const bool from_corners : {true, false}) // a curve that no corner reaches is closed
       for (const Halfedge_index h : mesh.halfedges())
         if (is_named_later(mesh.arc(h)) && !is_traced[mesh.edge(h)] && (mesh.point(mesh.source(h)).is_fixed || !from_corners))
           trace(h, mesh, is_traced);
@@ -79,7 +80,7 @@ public:
                m_largest_deviation;
   }
 
-  // the next halfedge along the curve of `h`, whose target is on nothing else
+  // the next halfedge along the curve of `h`; the target of `h` must be on this curve only
   template <typename Mesh>
   static Halfedge_index next_on_curve(const Halfedge_index h, const Mesh& mesh)
   {
@@ -121,7 +122,8 @@ private:
       return is_arc ? 0.25 * angle * (m_arc_lengths[edge + 1] - m_arc_lengths[edge]) : 0;
     }
 
-    // the largest distance of its points between two arc lengths from the line segment between the points there
+    // The largest distance of the polyline between two arc lengths from the line segment that joins its points there. To look
+    // at the vertices of the polyline is enough.
     double deviation(const double from, const double to) const
     {
       const Vector source = point(from), chord = point(to) - source;
@@ -133,7 +135,7 @@ private:
         largest = (std::max)(largest, (source + (std::min)((std::max)(share, 0.), 1.) * chord - p).norm());
       };
       const double length = m_arc_lengths.back();
-      // from turn to turn of a closed curve
+      // one round of a closed curve after the other; `begin` is where a round begins
       double begin = m_is_closed && length > 0 ? length * std::floor(from / length) : 0;
       for (; begin < to; begin += length)
       {
@@ -168,7 +170,7 @@ private:
 
     bool is_corner(const std::size_t i) const { return !m_is_closed && (i == 0 || i + 1 == m_points.size()); }
 
-    // the rotation at a point, by its axis with the length of its angle; none at a corner
+    // the rotation at a point: its axis, with its angle as the length; zero at a corner
     Vector turn(const std::size_t i) const
     {
       if (is_corner(i))
@@ -179,14 +181,15 @@ private:
       return axis.norm() > 0 ? Vector(std::atan2(axis.norm(), one.dot(other)) * axis.normalized()) : Vector(Vector::Zero());
     }
 
-    std::vector<Vector> m_points; // of a closed curve, the first again at the end
+    std::vector<Vector> m_points; // a closed curve has its first point again at the end
     std::vector<double> m_arc_lengths;
     bool m_is_closed;
   };
 
   static bool is_named_later(const Curve_arc& arc) { return arc.curve == Curve_arc::unnamed; }
 
-  // The number of edges on curves at each vertex. A vertex with an edge that must not be touched is no inner one of a curve.
+  // The number of edges on curves at each vertex. An edge that must not be touched counts as three: so its ends are never inner
+  // vertices of a curve.
   template <typename Mesh>
   static std::vector<int> curve_degrees(const Mesh& mesh)
   {
@@ -200,7 +203,7 @@ private:
     return degrees;
   }
 
-  // at a vertex with two edges on curves
+  // whether the curve turns sharply at a vertex that has two edges on curves
   template <typename Mesh>
   static bool is_sharp(const Vertex_index v, const Mesh& mesh)
   {
@@ -213,7 +216,7 @@ private:
     return std::atan2(before.cross(behind).norm(), before.dot(behind)) > corner_angle;
   }
 
-  // from the source of `first` to the next corner, or round
+  // traces a curve from the source of `first` to the next corner, or once around
   template <typename Mesh>
   void trace(const Halfedge_index first, Mesh& mesh, std::vector<char>& is_traced)
   {

@@ -18,7 +18,8 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// Puts vertices on curves: on the polyline, or, if the curve is a crease between two regions, where their surfaces meet near it.
+// Puts vertices on curves. A vertex is put on the polyline. On a crease between two regions it is put where their surfaces
+// meet, if they meet near the polyline.
 template <typename Embedding, typename Projection>
 class Curve_placement
 {
@@ -32,7 +33,7 @@ public:
   {
   }
 
-  // `sides` of the regions on both sides of the curve; none if there is one only
+  // `sides` are those of the regions on both sides of the curve; empty if there is only one region
   Vector point(const int curve, const double arc_length, const Sides& sides) const
   {
     Vector result = m_curves.point(curve, arc_length);
@@ -41,13 +42,13 @@ public:
     return result;
   }
 
-  // The normals and what the embedding keeps at a point that is given. Without sides it is in `region`.
+  // Updates the normals and what the embedding keeps at the point of `state`. Without sides the point is in `region`.
   void update(Vertex& state, const Region region, Sides& sides) const
   {
     update(state, region, sides, [&](Vertex& vertex, Region) { m_embedding.place(vertex); });
   }
 
-  // the same with `place(vertex, region)` for what the embedding keeps
+  // the same, with `place(vertex, region)` to update what the embedding keeps
   template <typename Place>
   void update(Vertex& state, const Region region, Sides& sides, const Place& place) const
   {

@@ -23,7 +23,7 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// `unit` that of the copy
+// `unit` is that of the copy
 template <typename Mesh>
 Feature_curves feature_curves(const Mesh& mesh, const double unit)
 {

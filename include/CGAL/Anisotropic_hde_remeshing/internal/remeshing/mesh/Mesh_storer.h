@@ -238,8 +238,8 @@ private:
     std::vector<Vertex> vertices;
   };
 
-  // Lists the edges and vertices of the replaced faces, except those that are kept. It also stores the border halfedges that
-  // stay in m_border.
+  // Lists the edges and vertices of the replaced faces, except those that are kept. It also fills m_border with the border
+  // halfedges that stay.
   Old_elements list_old_elements(const bool is_all_replaced)
   {
     if (is_all_replaced)

@@ -104,7 +104,7 @@ New_elements<Surface_mesh<Point>> replace_elements(const std::size_t number_of_v
   result.faces.reserve(number_of_faces);
   if (tmesh.has_garbage())
     tmesh.collect_garbage();
-  // after this line nothing asks for memory
+  // after the next line nothing asks for memory
   tmesh.reserve(size_type(number_of_vertices), size_type(number_of_edges), size_type(number_of_faces));
   tmesh.resize(0, 0, 0);
   tmesh.resize(size_type(number_of_vertices), size_type(number_of_edges), size_type(number_of_faces));

@@ -22,7 +22,7 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// The facets of the input with their vertex normals: where a projection ends if the function leads nowhere.
+// The facets of the input with their vertex normals. A projection ends on them if the function leads nowhere.
 class Input_surface
 {
 public:
@@ -31,7 +31,7 @@ public:
   {
     for (const Facet& facet : m_facets)
     {
-      // weighted by area, as the sum of the cross products is
+      // the length of a cross product weights the normal by the area
       const Vector area = (m_points[facet[1]] - m_points[facet[0]]).cross(m_points[facet[2]] - m_points[facet[0]]);
       for (const std::size_t v : facet)
         m_normals[v] += area;
@@ -42,7 +42,7 @@ public:
   Input_surface(const Input_surface&) = delete;
   Input_surface& operator=(const Input_surface&) = delete;
 
-  // whether there is a facet that is not degenerate, and hence a closest one
+  // whether all facets are degenerate, so that there is no closest one
   bool empty() const { return m_closest_facet.empty(); }
 
   // requires that it is not empty

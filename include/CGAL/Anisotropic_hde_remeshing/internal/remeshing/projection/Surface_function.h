@@ -22,8 +22,8 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// The caller's function without its type. The remesher is no template of that type, so it is compiled once for all functions, which
-// takes half a minute. A call through a pointer takes nanoseconds, an evaluation of radial basis functions microseconds.
+// The caller's function without its type. The remesher is no template of that type, so it is compiled once for all functions,
+// which takes half a minute. A call through a pointer takes nanoseconds, an evaluation of radial basis functions microseconds.
 class Surface_function
 {
 public:
@@ -57,7 +57,7 @@ public:
       m_pieces.emplace_back(internal::piece(function, Region(i)));
   }
 
-  // whether it is meant to have sharp edges
+  // whether the function is meant to have sharp edges
   bool is_piecewise() const { return m_is_piecewise; }
 
   std::size_t number_of_pieces() const { return m_pieces.size(); }

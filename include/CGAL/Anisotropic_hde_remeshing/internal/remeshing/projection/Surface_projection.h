@@ -27,9 +27,9 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// Moves points onto the zero set and gives them its normal: Newton's method along the gradient, then a bracket along the
-// first gradient, then the closest point of the input. Of a piecewise function, the piece of a region is meant. Thread-safe; a
-// point's result depends on nothing but the point.
+// Moves points onto the zero set and gives them its normal. Newton's method along the gradient comes first, then bisection
+// along the gradient at the start. If both fail, the closest point of the input is taken. Of a piecewise function, the piece of
+// the given region counts. The class is thread-safe. The result for a point depends on nothing but the point.
 template <typename ImplicitFunction>
 class Surface_projection
 {
@@ -39,14 +39,14 @@ public:
 private:
   static constexpr int newton_steps = 8;
   static constexpr int bisection_steps = 60;
-  static constexpr double settled = 1e-4;    // of the distance that counts as exact: Newton's method ends
-  static constexpr double largest_jump = 10; // in the same, where a change of sign counts as a zero
+  static constexpr double settled = 1e-4;    // of the exact distance: there Newton's method ends
+  static constexpr double largest_jump = 10; // of the exact distance: up to there a change of sign counts as a zero
   // squared sine of 15 degrees: two surfaces that meet at less have no well-defined curve in common
   static constexpr double smallest_squared_sine = 0.067;
 
 public:
-  // Lengths: `exact_distance` to the zero set is reached by exact projections; `unit` of the coordinates, in that of the
-  // function.
+  // `exact_distance` is the distance to the zero set that exact projections reach, in the unit of the coordinates. `unit` is
+  // this unit in the unit of the function.
   Surface_projection(const Function& function, const Input_surface& input, const double exact_distance, const double unit = 1)
     : m_function(function),
       m_input(input),
@@ -56,7 +56,7 @@ public:
   {
   }
 
-  // the mesh of the caller may be oriented against the gradient: then the normals are turned over
+  // the caller's mesh may be oriented against the gradient: then the normals are turned over
   void set_orientation(const Region region, const double sign) { m_orientations[region] = sign; }
   double orientation(const Region region) const { return m_orientations[region]; }
 
@@ -64,32 +64,34 @@ public:
   const Input_surface& input() const { return m_input; }
   double unit() const { return m_unit; }
 
-  // whether `project()` would hardly move the point: from a last step of 1e-6 of the diagonal, a thousand times the distance
-  // that counts as exact, Newton's method leaves its square times half a curvature, 1e-9 where that is 2000 over the diagonal
+  // Whether `project()` would hardly move the point. The limit for the last step is a thousand times the distance that counts
+  // as exact, 1e-6 of the diagonal. After a last step Newton's method leaves a distance of its square times half a curvature.
+  // At the limit that is 1e-9 of the diagonal where the curvature is 2000 over the diagonal.
   bool is_exact(const Vertex_state& state) const { return state.last_step <= 1e3 * m_exact_distance; }
 
   // whether the point is as near to the zero set as the worst of the exact projections, to first order
   bool is_on_surface(const Vertex_state& state, const Region region) const
   {
     const Value_and_gradient at_point = evaluate(state.point, region);
-    // not if they are not numbers
+    // false if they are not numbers
     return std::abs(at_point.value) <= largest_jump * m_exact_distance * at_point.gradient.norm();
   }
 
-  // onto the zero set, as near as doubles allow
+  // moves the point onto the zero set, as near as doubles allow
   void project(Vertex_state& state, const Region region, const double trust_radius) const
   {
     project(state, region, trust_radius, m_exact_distance);
   }
 
-  // One evaluation where the start is nearer than `good_distance`: Newton's step from there leaves a distance quadratic in
-  // it. For the iterations, whose vertices move again; the remesher projects all of them exactly in the end.
+  // Does only one evaluation if the start is nearer to the zero set than `good_distance`: Newton's step leaves a distance that
+  // is quadratic in that of the start. This is good enough for the iterations, because vertices move again. The remesher
+  // projects all of them exactly in the end.
   void project_roughly(Vertex_state& state, const Region region, const double trust_radius, const double good_distance) const
   {
     project(state, region, trust_radius, good_distance);
   }
 
-  // The same by Newton's method only: if it does not find the surface, `state` is unchanged and the result is false.
+  // The same by Newton's method only. If it does not find the surface, `state` is unchanged and the result is false.
   bool find_roughly(Vertex_state& state, const Region region, const double trust_radius, const double good_distance) const
   {
     if (!newton(state, region, trust_radius, good_distance))
@@ -98,7 +100,7 @@ public:
     return true;
   }
 
-  // the normal at a point that stays where it is: on the polyline of a boundary
+  // updates the normal at a point that stays where it is, on the polyline of a boundary
   void update_normal(Vertex_state& state, const Region region) const
   {
     Vector normal;
@@ -106,9 +108,9 @@ public:
       state.normal = m_orientations[region] * normal;
   }
 
-  // Onto the curve where the zero sets of two regions meet, by Newton's method on both, each step the shortest that meets both
-  // tangent planes: not along the curve, hence. If that does not lead there within the trust radius, `point` is unchanged and the
-  // result is false.
+  // Moves the point onto the curve where the zero sets of two regions meet, by Newton's method on both. Each step is the
+  // shortest one that meets both tangent planes. So the point does not move along the curve. If the steps do not lead to the
+  // curve within the trust radius, `point` is unchanged and the result is false.
   bool project_on_crease(Vector& point, const Region one, const Region other, const double trust_radius) const
   {
     Vector p = point;
@@ -148,7 +150,7 @@ public:
 private:
   Value_and_gradient evaluate(const Vector& p, const Region region) const
   {
-    // A point may overflow, for instance after a step where the curvature does. No function has to answer there.
+    // A point may overflow, for instance after a step where the curvature overflows. No function has to answer there.
     if (!std::isfinite(p.squaredNorm()) || !(m_unit * p).allFinite())
     {
       Value_and_gradient none;
@@ -203,7 +205,8 @@ private:
         return is_found;
       if (std::abs(signed_distance) <= best_distance)
       {
-        // A step that counts as exact is looked at, as the function need not be better there than its own noise.
+        // An exact projection takes the point that was evaluated, not the one after the next step. So near to the zero set, the
+        // function need not be better than its own noise.
         state.point = is_exact ? p : next;
         state.normal = m_orientations[region] * normal;
         state.last_step = best_distance = std::abs(signed_distance);
@@ -219,8 +222,8 @@ private:
     return is_found;
   }
 
-  // a change of sign within the trust radius on the line along the gradient of the start, then halved; what it finds must
-  // face the way of the start, or it is another sheet
+  // Looks for a change of sign on the line along the gradient at the start, within the trust radius, and halves the interval
+  // around it. The surface found must face the same way as at the start, or it is another sheet.
   bool bisection(Vertex_state& state, const Region region, const double trust_radius) const
   {
     const Value_and_gradient start = evaluate(state.point, region);

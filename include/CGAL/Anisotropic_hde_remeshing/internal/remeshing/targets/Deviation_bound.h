@@ -23,11 +23,11 @@ namespace Anisotropic_hde_remeshing {
 namespace internal {
 
 // A bound on the distance between a triangle and the zero set. The distance is measured at the points of a regular grid of the
-// triangle; between these it differs from its linear interpolation by at most a third of the second differences of a definite
-// quadratic form over the small edges, 1/6, and half of them is added: the bound holds as long as the second derivatives
-// nowhere exceed three times the largest measured. The grid is refined until the bound is below what is allowed or a point
-// above, or the addition is small. Where no way along the gradient leads to the zero set, the distance to `other` counts, a
-// function object that knows another approximation of the surface.
+// triangle. Between the points a definite quadratic form differs from its linear interpolation by at most 1/6 of its largest
+// second difference over the small edges of the grid. Three times as much is added, half of the largest second difference. So
+// the bound holds as long as the second derivatives nowhere exceed three times the largest measured one. The grid is refined
+// until the bound is small enough, a point is too far away, or the grid is the finest one. Where no way along the gradient
+// leads to the zero set, the distance to `other` counts. This function object knows another approximation of the surface.
 template <typename Function, typename Other_distance>
 class Deviation_bound
 {
@@ -35,7 +35,7 @@ class Deviation_bound
   static constexpr double share_of_second_difference = 0.5;
 
 public:
-  // `unit` of the coordinates, in that of the function
+  // `unit` is that of the coordinates, in the unit of the function
   Deviation_bound(const Function& function, const double unit, const Other_distance& other)
     : m_distance(function, unit), m_other(other)
   {
@@ -44,7 +44,8 @@ public:
   double operator()(const Vector& a, const Vector& b, const Vector& c, const double allowed) const
   {
     const double reach = longest_edge(a, b, c);
-    // no point is further from the nearest vertex than the circumradius of an equilateral triangle of the longest edge
+    // no point of the triangle is further from its nearest vertex than the circumradius of an equilateral triangle of the
+    // longest edge
     double bound = (std::max)({distance(a, reach), distance(b, reach), distance(c, reach)}) + reach / std::sqrt(3.);
     if (bound <= allowed)
       return bound;
@@ -58,7 +59,7 @@ public:
     return bound;
   }
 
-  // at the centroid and the middles of the edges only, of which the vertices lie on the surface
+  // the distance at the centroid and at the middles of the edges only; the vertices lie on the surface
   double estimate(const Vector& a, const Vector& b, const Vector& c) const
   {
     const double reach = longest_edge(a, b, c);
@@ -68,7 +69,7 @@ public:
     return largest;
   }
 
-  // of a point; ways to the zero set longer than `reach` are not taken
+  // the distance of a point; ways to the zero set that are longer than `reach` do not count
   double distance(const Vector& p, const double reach) const { return std::abs(signed_distance(p, reach)); }
 
 private:

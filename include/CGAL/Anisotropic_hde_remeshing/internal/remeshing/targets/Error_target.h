@@ -28,19 +28,19 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// How many faces it takes to keep the distance between the faces and the surface below an error, and which faces do not.
-// Faces that touch a boundary or a constrained curve, which lie off the surface as far as the input does, are allowed the
-// distance of their vertices on it besides.
+// Tells how many faces it takes to keep the distance between the faces and the surface below an error, and which faces exceed
+// the error. Boundaries and constrained curves lie as far off the surface as the input does. So a face that touches one may
+// exceed the error by the distance of its vertices there.
 template <typename ConcurrencyTag, typename Mesh, typename Function>
 class Error_target
 {
-  // The faces are about as many as the asymptotic bound for the largest distance says, times this.
+  // The number of faces is about this multiple of the asymptotic bound for the largest distance.
   static constexpr double first_ratio_to_bound = 1.4;
   // While the mesh is remeshed, all faces but this share are to stay below the error. The rest is refined in the end.
   static constexpr double share_refined_in_the_end = 0.04;
   static constexpr double largest_factor = 2;
-  // A face this small, twice its longest edge over the error, whose distance still exceeds the error does not lie along the surface
-  // that the function has: to split it does not help.
+  // The size of a small face, twice its longest edge over the error. If the distance of a small face still exceeds the error,
+  // the face does not lie along the surface that the function has: to split it does not help.
   static constexpr double smallest_face = 4;
 
 public:
@@ -53,7 +53,7 @@ public:
   }
   Error_target(const Error_target&) = delete;
 
-  // The asymptotic bound: the integral of g |K|^(1/2) over the surface, over the error, with the Gauss curvature K; see
+  // The asymptotic bound: the integral of g |K|^(1/2) over the surface, divided by the error. K is the Gauss curvature. See
   // Approximation_bounds.
   double first_number_of_faces() const
   {
@@ -61,7 +61,7 @@ public:
     double integral = 0;
     for (const Vertex_index v : m_mesh.vertices())
     {
-      // a third of the faces around the vertex, in one of its regions after the other
+      // adds a third of each face around the vertex; each region at the vertex has its own curvature
       Region last = 0;
       double curvature = 0;
       bool is_first = true;
@@ -99,14 +99,15 @@ public:
     return (std::min)((std::max)(errors[rank] / m_error, 1 / largest_factor), largest_factor);
   }
 
-  // A face whose bound is above the error, and which of its edges is to be split: the next one each time, if that did not help.
+  // A face whose bound is above the error. `attempt` tells which of its edges is to be split: each time the next one, if the
+  // last one was not split.
   struct Failing_face
   {
     Face_index face;
     int attempt;
   };
 
-  // A face that has passed is not looked at again; vertices must not move meanwhile.
+  // A face that has passed is not looked at again. So vertices must not move between two calls.
   std::vector<Failing_face> failing_faces()
   {
     m_records.resize(face_capacity(m_mesh));
@@ -131,7 +132,7 @@ public:
     return failing;
   }
 
-  // over all faces but those on curves, when `failing_faces()` looked
+  // the largest bound that `failing_faces()` found, over all faces but those on curves
   double largest_bound() const { return m_largest_bound; }
 
 private:

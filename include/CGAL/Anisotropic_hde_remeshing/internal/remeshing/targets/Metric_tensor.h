@@ -54,8 +54,8 @@ struct Metric_tensor
   }
 };
 
-// The smallest metric of the plane that is nowhere less than both in the directions of their common conjugate axes (the
-// intersection of their unit balls up to that); both are positive definite.
+// The intersection of two metrics of the plane. Both are positive definite. In the direction of each of their common conjugate
+// axes, the result is the larger one of both. Its unit ball approximates the intersection of their unit balls.
 inline Eigen::Matrix2d metric_intersection(const Eigen::Matrix2d& a, const Eigen::Matrix2d& b)
 {
   // Cholesky's decomposition of a, and its inverse; Eigen's takes a second to compile
@@ -76,7 +76,7 @@ inline Eigen::Matrix2d metric_intersection(const Eigen::Matrix2d& a, const Eigen
   return 0.5 * (result + result.transpose());
 }
 
-// the same with eigenvalues between bounds
+// the metric with its eigenvalues put between bounds
 inline Eigen::Matrix2d bounded_metric(const Eigen::Matrix2d& metric, const double least, const double largest)
 {
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver;

@@ -31,22 +31,24 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// whether the embedding is a metric that follows from the curvature, which the vertices keep
+// whether the embedding is a metric that follows from the curvature; the vertices keep such a metric
 template <typename Embedding>
 constexpr bool is_metric = std::is_base_of<Metric_tensor, typename Embedding::Vertex_data>::value;
 
-// Gives every vertex, on a crease every side of it, the metric of the curvature around it, bounds the lengths that edges can have
-// by it, and limits how fast it changes: Alauzet, Size gradation control of anisotropic meshes, Finite Elements in Analysis and
-// Design 46, 2010. What a vertex gets does not depend on the order of the vertices.
+// Gives every vertex the metric of the curvature around it. On a crease every side of the vertex gets one. Bounds the lengths
+// that edges can have by the metric. Limits how fast the metric changes: Alauzet, Size gradation control of anisotropic meshes,
+// Finite Elements in Analysis and Design 46, 2010. What a vertex gets does not depend on the order of the vertices.
 template <typename ConcurrencyTag, typename Mesh, typename Metric>
 class Metric_updater
 {
-  // a bound: a sweep carries a metric one edge further, and few are needed as it loses a constant factor an edge
+  // A bound only. A sweep carries a metric one edge further. Few sweeps are needed, because a metric loses a constant factor on
+  // each edge.
   static constexpr int maximum_number_of_sweeps = 30;
   static constexpr double negligible_growth = 1.02;
 
 public:
-  // `diagonal` is that of the mesh, `length` the target in the metric; as long as it is 0, there are neither bounds nor a limit
+  // `diagonal` is that of the mesh, `length` the target in the metric. As long as `length` is 0, there are neither bounds nor a
+  // limit.
   Metric_updater(Mesh& mesh, const Metric& metric, const double diagonal, const double length, Interruption& interruption)
     : m_mesh(mesh),
       m_metric(metric),
@@ -75,8 +77,8 @@ public:
 private:
   static double square(const double x) { return x * x; }
 
-  // A place has a metric: a vertex, or a side of one on a crease. It is told by a halfedge that ends at the vertex, in the face of
-  // which it counts.
+  // Each place has one metric. A place is a vertex, or one side of a vertex on a crease. It is stored as a halfedge that ends
+  // at the vertex and whose face is on that side.
   void number_places()
   {
     m_first_places.resize(vertex_capacity(m_mesh));
@@ -95,7 +97,7 @@ private:
     }
   }
 
-  // of a vertex, to the face of h
+  // the place of a vertex as the face of h sees it
   std::size_t place(const Vertex_index v, const Halfedge_index h) const
   {
     std::size_t i = m_first_places[v];
@@ -139,7 +141,7 @@ private:
     }
   }
 
-  // by the neighbours that have changed; whether that is worth another sweep
+  // limits the metric by those neighbours that have changed; returns whether that is worth another sweep
   bool limit(const Halfedge_index in, const std::vector<char>& is_changed, Eigen::Matrix2d& metric) const
   {
     const double area_before = metric.determinant();
@@ -166,7 +168,7 @@ private:
     return metric.determinant() > square(negligible_growth) * area_before;
   }
 
-  // the smallest that takes unit vector `a` to `b`, which are not opposite
+  // the smallest rotation that takes unit vector `a` to unit vector `b`; they are not opposite
   static Matrix rotation(const Vector& a, const Vector& b)
   {
     const Vector axis = a.cross(b);
@@ -183,7 +185,7 @@ private:
       store(metric, m_mesh.point(v));
       return;
     }
-    for (auto& side : m_mesh.sides(v)) // of which other threads store the others
+    for (auto& side : m_mesh.sides(v)) // other threads store the other sides
       if (side.region == m_mesh.region(in))
         store(metric, side.vertex);
   }
@@ -191,7 +193,8 @@ private:
   static void store(const Eigen::Matrix2d& metric, typename Mesh::Vertex& vertex)
   {
     const Tangent_frame frame = tangent_frame(vertex.normal);
-    // across the surface as along its shortest edges: two sheets that face each other do not count as near
+    // Across the surface the metric is the same as along the shortest edges: so two sheets that face each other do not count as
+    // near.
     const double across = 0.5 * (metric.trace() + std::sqrt((std::max)(square(metric.trace()) - 4 * metric.determinant(), 0.)));
     static_cast<Metric_tensor&>(vertex) =
         Metric_tensor(frame * metric * frame.transpose() + across * vertex.normal * vertex.normal.transpose());

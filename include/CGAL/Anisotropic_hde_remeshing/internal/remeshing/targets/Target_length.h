@@ -22,9 +22,9 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// The edge length and the number of faces to aim at. The caller gives one of them; the other follows from the area A of the
-// mesh in the embedding, which N equilateral triangles of the edge length l fill: A = N sqrt(3)/4 l^2. The area is taken
-// anew in every iteration, because that of a noisy surface grows with the number of vertices that see the noise.
+// The edge length and the number of faces to aim at. The caller gives one of them. The other follows from the area A of the
+// mesh in the embedding: N equilateral triangles of the edge length l fill it, so A = N sqrt(3)/4 l^2. The area is computed
+// anew in every iteration, because the area of a noisy surface grows with the number of vertices that see the noise.
 class Target_length
 {
 public:
@@ -41,7 +41,7 @@ public:
 
   double number_of_faces() const { return m_number_of_faces; }
 
-  // to another number of faces; `update()` makes the length follow
+  // aims at another number of faces; `update()` makes the length follow
   void set_number_of_faces(const double number_of_faces) { m_number_of_faces = number_of_faces; }
 
   template <typename ConcurrencyTag, typename Mesh, typename Embedding>
@@ -60,7 +60,7 @@ private:
   {
   }
 
-  // of the faces in the embedding
+  // the area of the faces in the embedding
   template <typename ConcurrencyTag, typename Mesh, typename Embedding>
   static double area(const Mesh& mesh, const Embedding& embedding)
   {
