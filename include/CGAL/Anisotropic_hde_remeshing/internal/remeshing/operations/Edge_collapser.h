@@ -30,7 +30,7 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// Contracts edges to one of their ends, which lies on the surface already: no projection is needed (the paper's figure 3).
+// Contracts an edge to one of its ends. The end lies on the surface already, so no projection is needed (the paper's figure 3).
 template <typename ConcurrencyTag, typename Embedding, typename Guard>
 class Edge_collapser
 {
@@ -38,13 +38,14 @@ class Edge_collapser
   typedef typename Mesh::Vertex Vertex;
   typedef Local_change<Mesh> Change;
 
-  // of the part of a curve that an edge stands for; it is .83 for a third of a circle
+  // of an edge, over the length of the part of a curve for which it stands; for a third of a circle it is .83
   static constexpr double smallest_chord = 0.85;
-  // Where all short edges may be contracted, their exact order does not matter, but the next one in it is far away in memory: in
-  // classes, contractions in a mesh of 1,000,000 faces take 2.5 in place of 4.0 microseconds a face.
+  // If all short edges may be contracted, their exact order does not matter. In the exact order the next edge is far away in
+  // memory. So the edges are sorted into classes: contractions in a mesh of 1,000,000 faces take 2.5 instead of 4.0
+  // microseconds a face.
   static constexpr double classes_per_octave = 2;
-  // The centre of a larger fan stays until contractions across the fan and flips have made it smaller: the guard looks at all pairs of
-  // its faces.
+  // The centre of a larger fan stays until contractions across the fan and flips have made the fan smaller. The reason is that
+  // the guard looks at all pairs of faces of the fan.
   static constexpr std::size_t largest_degree = 64;
   static constexpr double not_allowed = (std::numeric_limits<double>::max)(); // a cost
 
@@ -55,9 +56,10 @@ public:
   {
   }
 
-  // One pass over the edges shorter than `length`, the shorter first, `maximum` contractions at most; none makes an edge longer
-  // than `longest`. Returns how many it contracted. Which edges may be contracted is found out in parallel; the contractions are one
-  // after the other, and ask again only where an earlier one has changed something: the result is that of one thread.
+  // One pass over the edges shorter than `length`, the shorter ones first. It makes at most `maximum` contractions. None of
+  // them makes an edge longer than `longest`. Returns how many edges it contracted. It finds out in parallel which edges may be
+  // contracted. It contracts them one after the other, and asks again only where an earlier contraction has changed something.
+  // So the result is that of one thread.
   std::size_t operator()(const double length, const double longest, const std::size_t maximum = std::size_t(-1)) const
   {
     const double squared_length = length * length, squared_longest = longest * longest;
@@ -87,8 +89,8 @@ public:
   }
 
 private:
-  // The shortest first; in so many classes for a factor of two in the squared length, and within a class in the order of memory,
-  // if there are to be classes.
+  // The edges shorter than the limit, the shortest first. If `classes` is positive, it is the number of classes for a factor of
+  // two in the squared length. Within a class the edges are in the order of memory.
   std::vector<Keyed_edge> short_edges(const double limit, const double classes) const
   {
     return sorted_edges<ConcurrencyTag>(
@@ -103,7 +105,8 @@ private:
         m_interruption);
   }
 
-  // the halfedge to whose target the edge is to be contracted, that with the shorter new edges first; none if the guard accepts none
+  // The halfedge to whose target the edge is to be contracted; none if the guard accepts neither of the two. The one with the
+  // shorter new edges is asked for first.
   Halfedge_index choose(const Edge_index e, const double squared_longest) const
   {
     const Halfedge_index h = m_mesh.halfedge(e), g = m_mesh.opposite(h);
@@ -116,8 +119,8 @@ private:
     return Mesh::null_halfedge();
   }
 
-  // Whether something has changed of what `choose()` looks at: the faces at the ends, and those beyond these faces, which have two
-  // neighbours of an end.
+  // Whether something has changed that `choose()` looks at: the faces at the ends, and the faces beyond these. A face beyond
+  // has two neighbours of an end.
   bool is_touched_around(const Edge_index e, const std::vector<char>& is_touched) const
   {
     for (const Halfedge_index h : {m_mesh.halfedge(e), m_mesh.opposite(m_mesh.halfedge(e))})
@@ -152,11 +155,11 @@ private:
     return change;
   }
 
-  // Removes the source of h and returns the vertex that stays; whichever edges the mesh drops, those that stay have the arcs of
-  // the edges at the target, or along a curve those of the path that they replace
+  // Removes the source of h and returns the vertex that stays. Whichever edges the mesh drops, those that stay get the arcs of
+  // the edges at the target. On a curve the edge that stays gets the arc of the path that it replaces.
   Vertex_index contract(const Halfedge_index h) const
   {
-    const Change change = m_guard.is_local() ? Change(m_mesh) : contraction(h); // of which only others want to know
+    const Change change = m_guard.is_local() ? Change(m_mesh) : contraction(h); // a local guard does not look at it
     const Vertex kept = m_mesh.point(m_mesh.target(h));
     const typename Mesh::Sides sides = m_mesh.sides(m_mesh.target(h));
     std::array<std::pair<Vertex_index, Curve_arc>, 3> arcs; // from neighbours to the vertex that stays
@@ -179,7 +182,7 @@ private:
     return v;
   }
 
-  // the arc of the curve from the vertex before the source of h, on the curve of h, to the target of h
+  // the vertex before the source of h on the curve of h, and the arc of the curve from there to the target of h
   std::pair<Vertex_index, Curve_arc> path_over_source(const Halfedge_index h) const
   {
     const Halfedge_index before = m_mesh.opposite(Curve_network::next_on_curve(m_mesh.opposite(h), m_mesh));
@@ -187,7 +190,8 @@ private:
     return {m_mesh.source(before), Curve_arc{first.curve, first.source, first.target + (second.target - second.source)}};
   }
 
-  // the longest squared edge that contracting h to its target makes; `not_allowed` if it is longer than that, or leaves a curve
+  // The longest squared length of the edges that the contraction of h to its target makes. It is `not_allowed` if that exceeds
+  // `squared_longest`, or if the source of h must not be removed this way.
   double cost(const Halfedge_index h, const double squared_longest) const
   {
     const Vertex_index removed = m_mesh.source(h), kept = m_mesh.target(h);
@@ -215,7 +219,8 @@ private:
     return longest;
   }
 
-  // of the edge from the source of `in` to `kept`, which is to take the place of its target
+  // The squared length of the edge from `neighbor`, the source of `in`, to `kept`. `kept` is to take the place of the target of
+  // `in`.
   double squared_length_to(const Vertex_index neighbor, const Halfedge_index in, const Vertex_index kept) const
   {
     const double length = m_embedding.squared_length(m_mesh.state(neighbor, in), m_mesh.state(kept, in));
@@ -225,8 +230,9 @@ private:
     return (std::max)(length, m_embedding.squared_length(m_mesh.state(neighbor, out), m_mesh.state(kept, out)));
   }
 
-  // A vertex of a curve goes along the curve only, past no face whose other edge is on it, too. The curve does not become much
-  // shorter by it, does not leave its polyline if that is asked for, and a boundary keeps three edges at least.
+  // Whether a vertex of a curve may go along h. It goes along the curve only, and past no face whose other edge at the vertex
+  // is on the curve, too. The curve must not become much shorter. If the deviation from the polyline is bounded, the curve must
+  // not leave its polyline. A boundary keeps at least three edges.
   bool may_shorten_curve(const Halfedge_index h) const
   {
     if (!m_mesh.is_on_curve(m_mesh.edge(h)))

@@ -31,8 +31,8 @@ enum class Flip_criterion
   ANGLE    // towards a larger smallest angle in the embedding
 };
 
-// Flips edges where the criterion gains, in passes over the edges whose surroundings have changed. Which edges of a pass gain is
-// found out in parallel; the flips are one after the other, and look again at those around earlier ones only.
+// Flips edges where the criterion gains, in passes over the edges whose surroundings have changed. A pass finds out in parallel
+// which edges gain. It flips them one after the other, and looks again only at edges next to an earlier flip.
 template <typename ConcurrencyTag, typename Embedding, typename Guard>
 class Edge_flipper
 {
@@ -43,7 +43,7 @@ class Edge_flipper
   static constexpr int maximum_number_of_passes = 10;
   // the gain in the cosine below which a flip is not worth it; it also ends the passes in the case of ties
   static constexpr double smallest_gain = 1e-6;
-  // valence flips leave no angle below this one, of 15 degrees, unless there was a smaller one
+  // the cosine of 15 degrees: valence flips leave no smaller angle, unless there was a smaller one before
   static constexpr double largest_cosine_of_valence_flip = 0.9659258262890683;
 
 public:
@@ -52,8 +52,8 @@ public:
   {
   }
 
-  // Returns the number of flips. A pass flips edges in the order of the mesh, the next one looks at those around them. Few edges
-  // are flipped: what is worth it is found out in parallel, the flips are one after the other.
+  // Returns the number of flips. A pass flips edges in the order of the mesh. The next pass looks at the edges around them.
+  // Only few edges are flipped, so it is enough to find them in parallel.
   std::size_t operator()(const Flip_criterion criterion) const
   {
     std::vector<char> is_queued(edge_capacity(m_mesh), 0);
@@ -72,13 +72,13 @@ public:
   }
 
 private:
-  // the two faces of an edge from a to b with the vertices c and d on their other sides
+  // the two faces of an edge from a to b; c and d are their third vertices
   struct Quad
   {
     Vertex_index a, b, c, d;
   };
 
-  // an edge inside a region has one state of each
+  // the states of these vertices; an edge inside a region has one state of each
   struct Quad_states
   {
     const Vertex &a, &b, &c, &d;
@@ -107,7 +107,7 @@ private:
 
   std::vector<int> compute_valences() const
   {
-    // an inner vertex wants six edges, one of the boundary four: two are added there
+    // An inner vertex wants six edges, a boundary vertex four. Two are added at the boundary, so that every vertex wants six.
     std::vector<int> valences(vertex_capacity(m_mesh), 0);
     parallel_for<ConcurrencyTag>(
         valences.size(),
@@ -122,7 +122,7 @@ private:
     return valences;
   }
 
-  // those of the edges that gain by a flip, in their order
+  // the edges that gain by a flip, in the given order
   std::vector<Edge_index> gaining(const std::vector<Edge_index>& edges, const Flip_criterion criterion,
                                   const std::vector<int>& valences) const
   {
@@ -136,7 +136,8 @@ private:
     return result;
   }
 
-  // flips the edges one after the other, unless an earlier one has taken the gain; returns those that were flipped
+  // Flips the edges one after the other. An edge is left out if an earlier flip has taken its gain. Returns the edges that were
+  // flipped.
   std::vector<Edge_index> flip(const std::vector<Edge_index>& edges, const Flip_criterion criterion,
                                std::vector<int>& valences) const
   {
@@ -158,7 +159,8 @@ private:
     return flipped;
   }
 
-  // the edges of the faces of those given, each once, in the order of the mesh; `is_queued` is 0 for all edges
+  // The edges of the faces at the given edges, each once, in the order of the mesh. `is_queued` is 0 for all edges before and
+  // after.
   std::vector<Edge_index> surroundings(const std::vector<Edge_index>& edges, std::vector<char>& is_queued) const
   {
     std::vector<Edge_index> result;

@@ -28,8 +28,8 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// Splits edges at their middle, put on the surface. The ends of an edge do not change while others are split, so that all
-// middles of a pass are projected in parallel first; the splits are done in the order of the lengths.
+// Splits edges at their middle and puts the middle on the surface. The ends of an edge do not change while other edges are
+// split. So all middles of a pass are projected in parallel first. Then the edges are split in the order of their lengths.
 template <typename ConcurrencyTag, typename Embedding, typename Projection, typename Guard>
 class Edge_splitter
 {
@@ -58,7 +58,7 @@ public:
     return split(long_edges(length * length, maximum));
   }
 
-  // the edges given; returns how many it split
+  // splits the given edges; returns how many it split
   std::size_t operator()(const std::vector<Edge_index>& edges) const
   {
     std::vector<Candidate> candidates;
@@ -98,7 +98,7 @@ private:
     return number_of_splits;
   }
 
-  // the longest first
+  // the edges longer than the limit, the longest first
   std::vector<Candidate> long_edges(const double limit, const std::size_t maximum) const
   {
     std::vector<Keyed_edge> edges = sorted_edges<ConcurrencyTag>(
@@ -130,7 +130,7 @@ private:
     candidate.is_good = is_good_middle(h, candidate);
   }
 
-  // as the face of h, or the one beyond it, sees it
+  // whether the middle is good as the face of h sees it; if h is on the border, as the face on its other side sees it
   bool is_good_middle(const Halfedge_index h, const Candidate& candidate) const
   {
     const Vertex &a = m_mesh.state(m_mesh.source(h), h), &b = m_mesh.state(m_mesh.target(h), h), &middle = state(candidate, h);

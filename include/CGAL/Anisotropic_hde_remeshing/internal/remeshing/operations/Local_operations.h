@@ -42,7 +42,7 @@ public:
   {
   }
 
-  // the number of them
+  // returns the number of splits
   template <typename... Arguments>
   std::size_t split(const Arguments&... arguments)
   {

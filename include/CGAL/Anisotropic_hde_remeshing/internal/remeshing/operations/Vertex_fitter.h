@@ -32,19 +32,19 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// Moves vertices along normals so that the integral of the squared distance between the faces and the zero set is least: with
-// the offsets s of the vertices the distance of a point x of a face is d(x) + sum_i phi_i(x) (n_i . n(x)) s_i to first order,
-// with the barycentric coordinates phi. The normal equations are a mass matrix, which a few dozen conjugate gradients solve
-// whatever the shapes of the faces are. Two rounds, as d is linear to first order only.
+// Moves vertices along normals so that the integral of the squared distance between the faces and the zero set is least. With
+// the offsets s of the vertices, the distance of a point x of a face is d(x) + sum_i phi_i(x) (n_i . n(x)) s_i to first order.
+// Here phi are the barycentric coordinates. The matrix of the normal equations is a mass matrix: a few dozen steps of conjugate
+// gradients solve them, whatever the shapes of the faces are. There are two rounds, because d is linear to first order only.
 template <typename ConcurrencyTag, typename Function>
 class Vertex_fitter
 {
   typedef Surface_distance<Piece_of<Function>> Distance;
 
   static constexpr int number_of_rounds = 2;
-  // of the longest edge of a face: what is further away does not belong to it
+  // over the longest edge of a face: a surface that is further away does not belong to the face
   static constexpr double largest_distance = 0.5;
-  // of the shortest edge at a vertex
+  // over the shortest edge at a vertex
   static constexpr double largest_offset = 0.5;
 
   struct Node
@@ -62,14 +62,15 @@ class Vertex_fitter
   }
 
 public:
-  // `unit` of the coordinates, in that of the function
+  // `unit` is that of the coordinates, in the unit of the function
   Vertex_fitter(const Function& function, const double unit = 1)
   {
     for (std::size_t i = 0; i < number_of_pieces(function); ++i)
       m_distances.emplace_back(piece(function, Region(i)), unit);
   }
 
-  // moves the points whose vertices are free; `normals` has unit vectors, for the vertices that are; `regions` of the facets
+  // Moves the points whose vertices are free. `normals` has unit vectors for the vertices that are free. `regions` are those of
+  // the facets.
   void operator()(std::vector<Vector>& points, const std::vector<Vector>& normals, const std::vector<char>& is_free,
                   const std::vector<Facet>& facets, const std::vector<Region>& regions) const
   {
@@ -132,7 +133,7 @@ private:
     return result;
   }
 
-  // the offsets from where the vertices are
+  // the offsets of the vertices from where they are now
   std::vector<double> solve(const std::vector<Vector>& points, const std::vector<Vector>& normals,
                             const std::vector<char>& is_free, const std::vector<Facet>& facets,
                             const std::vector<Region>& regions) const

@@ -26,8 +26,8 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// Moves all vertices at once: onto the surface, and off it again where that makes the faces fit it better. What the guard does
-// not accept is taken back.
+// Moves all vertices at once: onto the surface, and off it again where that makes the faces fit the surface better. Moves that
+// the guard does not accept are taken back.
 template <typename ConcurrencyTag, typename Embedding, typename Projection, typename Guard>
 class Vertex_projector
 {
@@ -47,8 +47,8 @@ public:
   {
   }
 
-  // All vertices of the input onto the zero set but those that are fixed or stay on their polylines, and those where the mesh
-  // would fold: these have more attempts.
+  // Moves the vertices of the input onto the zero set. Fixed vertices and those on polylines stay. Vertices where the mesh
+  // would fold stay for now, and have more attempts later.
   void project_input(Interruption& interruption)
   {
     Moves moves = exact_projections(all, interruption);
@@ -63,15 +63,16 @@ public:
       }
   }
 
-  // All vertices in the end; one whose last way, from a rough projection to the exact one, would fold a face or make it
-  // intersect another one, if that counts, stays where it is. Returns whether it was done: not if it was interrupted.
+  // Projects all chosen vertices in the end. The last way of a vertex goes from a rough projection to the exact one. A vertex
+  // stays if this way would fold a face or, where that counts, make a face intersect another one. Returns false if it was
+  // interrupted and did nothing.
   template <typename IsChosen>
   bool project_exactly(const IsChosen& is_chosen, Interruption& interruption)
   {
     Moves moves = exact_projections(is_chosen, interruption);
     m_guard.template revert<ConcurrencyTag>(moves, interruption);
     if (interruption.is_requested())
-      return false; // not all have been projected, or looked at
+      return false; // not all vertices have been projected, or checked
     moves.template accept<ConcurrencyTag>(m_mesh);
     for (const Vertex_index v : m_mesh.vertices())
       if (is_chosen(v) && (!moves.is_moved(v) || m_mesh.point(v).is_on_input) && is_free(v) &&
@@ -82,7 +83,7 @@ public:
 
   bool project_exactly(Interruption& interruption) { return project_exactly(all, interruption); }
 
-  // off the surface again, by least squares
+  // moves vertices off the surface again, by least squares
   void fit(Interruption& interruption)
   {
     const std::size_t n = vertex_capacity(m_mesh);
@@ -144,10 +145,10 @@ private:
     return moves;
   }
 
-  // of one that is not on a crease
+  // the region of a vertex that is not on a crease
   Region region(const Vertex_index v) const { return m_mesh.region(m_mesh.halfedge(v)); }
 
-  // in space; the root mean square
+  // the root mean square of the lengths in space
   double mean_edge_length(const Vertex_index v) const
   {
     double squared_sum = 0;
@@ -165,7 +166,7 @@ private:
   const Projection& m_projection;
   const Curve_placement<Embedding, Projection> m_placement;
   const Guard& m_guard;
-  Remeshing_result& m_result; // where those are counted that are not on the surface
+  Remeshing_result& m_result; // counts the vertices that are not on the surface
 };
 
 } // namespace internal

@@ -36,12 +36,13 @@ namespace internal {
 
 enum class Smoothing_step
 {
-  PREDICT, // small steps are not projected, which the next smoothing makes good
+  PREDICT, // small steps are not projected; the next smoothing makes up for that
   PROJECT
 };
 
-// Moves every vertex towards the centroid of its surroundings in the embedding, weighted by the areas of its faces there,
-// all at once, so that the result does not depend on the order; then takes back what the guard refuses.
+// Moves every vertex towards the centroid of its surroundings in the embedding. The weights are the areas of its faces there.
+// All vertices move at once, so that the result does not depend on their order. Then the moves that the guard refuses are taken
+// back.
 template <typename ConcurrencyTag, typename Embedding, typename Projection, typename Guard>
 class Vertex_smoother
 {
@@ -52,8 +53,9 @@ class Vertex_smoother
   static constexpr double relaxation = 0.6;
   static constexpr double largest_step = 0.5; // in 3D, of the distance to the nearest neighbour
   static constexpr int number_of_attempts = 3;
-  static constexpr double negligible_step = 1e-3; // likewise: a vertex that would move less stays
-  // likewise, and of the turn of the normal in radians: up to here the curvature at hand tells where a step leads
+  static constexpr double negligible_step = 1e-3; // of the same distance: a vertex that would move less stays
+  // Of the same distance, and of the turn of the normal in radians. For shorter steps the curvature at hand tells where a step
+  // leads.
   static constexpr double largest_predicted_step = 0.1;
 
 public:
@@ -70,8 +72,9 @@ public:
   {
   }
 
-  // One simultaneous step of the share `ratio` of the vertices with the smallest angles in the embedding. Small steps are not
-  // projected if a next smoothing follows at once: it is as good a mesh (PREDICT, then PROJECT), and an evaluation costs more.
+  // One simultaneous step of the share `ratio` of the vertices, those with the smallest angles in the embedding. If another
+  // smoothing follows at once, small steps are not projected (PREDICT, then PROJECT): the mesh is as good, and an evaluation
+  // costs more.
   void operator()(const double ratio, const Smoothing_step kind)
   {
     m_moves.clear();
@@ -88,7 +91,7 @@ public:
           [&](const Edge_index e) { return m_mesh.is_on_curve(e) && !m_curves.accepts(moved_arc(e, shifts)); }, m_interruption);
     m_guard.template revert<ConcurrencyTag>(m_moves, m_interruption);
     if (m_interruption.ask())
-      return; // not all have been moved, or looked at
+      return; // not all vertices have been moved, or checked
     m_moves.template accept<ConcurrencyTag>(m_mesh);
     for (const Vertex_index v : m_mesh.vertices())
       if (m_moves.is_moved(v) && m_mesh.point(v).is_on_curve)
@@ -96,13 +99,13 @@ public:
   }
 
 private:
-  // to be projected, moved or not
+  // whether the vertex is to be projected even if it would not move
   bool is_due(const Vertex_index v, const Smoothing_step kind) const
   {
     return kind == Smoothing_step::PROJECT && m_mesh.point(v).is_predicted();
   }
 
-  // empty for all
+  // which vertices move; empty if all do
   std::vector<char> choose(const double ratio) const
   {
     std::vector<char> is_chosen;
@@ -135,7 +138,7 @@ private:
     return largest;
   }
 
-  // of an edge on a curve, with both ends where they will be: each was tested while the other was at rest
+  // The arc of an edge on a curve, with both ends where they will be. `slide()` tests each end with the other one at rest.
   Curve_arc moved_arc(const Edge_index e, const std::vector<double>& shifts) const
   {
     const Halfedge_index h = m_mesh.halfedge(e);
@@ -156,7 +159,7 @@ private:
     m_mesh.set_arc(out, behind);
   }
 
-  // one that ends at the vertex
+  // a halfedge on the curve that ends at the vertex
   Halfedge_index curve_halfedge(const Vertex_index v) const
   {
     Halfedge_index in = m_mesh.halfedge(v);
@@ -165,8 +168,8 @@ private:
     return in;
   }
 
-  // along the curve, to where both edges of it have the same length in the embedding; `shift` goes along the halfedge that
-  // `curve_halfedge()` finds
+  // Moves a vertex along its curve, towards where its two edges on the curve have the same length in the embedding. `shift` is
+  // positive in the direction of the halfedge that `curve_halfedge()` finds.
   bool slide(const Vertex_index v, Vertex& state, typename Mesh::Sides& sides, double& shift) const
   {
     const Halfedge_index in = curve_halfedge(v), out = Curve_network::next_on_curve(in, m_mesh);
@@ -201,7 +204,7 @@ private:
       step *= largest_step * radius / length;
     if (kind == Smoothing_step::PREDICT && predict(step, frame, shape_operator, radius, state))
       return true;
-    // where the surface bends too much for the step, a shorter one may lead to it; a vertex that finds none stays
+    // Where the surface bends too much for the step, a shorter step may lead to the surface. A vertex stays if no step does.
     for (int attempt = 0; attempt < number_of_attempts; ++attempt, step *= 0.5)
     {
       Vertex moved = state;
@@ -215,7 +218,7 @@ private:
     return false;
   }
 
-  // the surface is an osculating paraboloid up to third order
+  // up to terms of third order the surface is its osculating paraboloid
   static Vector on_paraboloid(const Eigen::Vector2d& step, const Tangent_frame& frame, const Eigen::Matrix2d& shape_operator,
                               const Vector& normal)
   {

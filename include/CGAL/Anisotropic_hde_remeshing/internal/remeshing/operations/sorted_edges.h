@@ -24,13 +24,13 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// an edge and what it is sorted by, before its index
+// a key and an edge; edges are sorted by the key first, then by the index
 typedef std::pair<double, Edge_index> Keyed_edge;
 
-// what keeps an edge out
+// the key of an edge that is left out
 constexpr double no_key = std::numeric_limits<double>::infinity();
 
-// the edges that may be touched for which `key(edge)`, asked concurrently, is not `no_key`
+// The edges that may be touched and whose `key(edge)` is not `no_key`, sorted by it. `key` is called concurrently.
 template <typename ConcurrencyTag, typename Mesh, typename Key>
 std::vector<Keyed_edge> sorted_edges(const Mesh& mesh, const Key& key, Interruption& interruption)
 {
