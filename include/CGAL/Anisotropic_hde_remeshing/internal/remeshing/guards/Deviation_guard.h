@@ -25,20 +25,21 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// With an error as the target, no contraction and no flip makes a face whose centroid is too far from the surface: what has
-// cut off a thin part no refinement restores. Without one it accepts all faces.
+// With an error as the target, no contraction and no flip may make a face whose centroid is too far from the surface. Such a
+// face may have cut off a thin part, and no refinement restores that part. Without an error as the target, all faces are
+// accepted.
 template <typename Function>
 class Deviation_guard
 {
 public:
-  // `unit` of the coordinates, in that of the function
+  // `unit` is that of the coordinates, in the unit of the function
   Deviation_guard(const Function& function, const double unit)
   {
     for (std::size_t i = 0; i < number_of_pieces(function); ++i)
       m_distances.emplace_back(piece(function, Region(i)), unit);
   }
 
-  // before, it accepts all
+  // before this call the guard accepts all faces
   void set_largest_distance(const double distance) { m_largest = distance; }
 
   bool is_active() const { return std::isfinite(m_largest); }
@@ -50,7 +51,7 @@ public:
     const double reach = std::sqrt(
         (std::max)({(b.point - a.point).squaredNorm(), (c.point - b.point).squaredNorm(), (a.point - c.point).squaredNorm()}));
     const Surface_distance<Piece_of<Function>>& distance = m_distances[region];
-    return std::abs(distance((a.point + b.point + c.point) / 3, reach).distance) <= m_largest; // not if there is none
+    return std::abs(distance((a.point + b.point + c.point) / 3, reach).distance) <= m_largest; // false if there is no distance
   }
 
 private:

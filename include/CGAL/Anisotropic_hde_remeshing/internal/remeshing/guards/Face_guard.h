@@ -21,15 +21,15 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// How a face lies on the surface, and whether it is flat in space, whatever its shape in the embedding: a cap, with an angle of nearly
-// 180 degrees, or a sliver, with next to no height.
+// How a face lies on the surface, and whether it is flat in space. A flat face is a cap, with an angle of nearly 180 degrees,
+// or a sliver, with next to no height. The shape in the embedding does not matter.
 struct Face_quality
 {
-  // cosine between the normals of a face and of the surface at its vertices, from which on the face is not folded
+  // least cosine between the normals of a face and of the surface at its vertices; below it the face is folded
   static constexpr double smallest_cosine = 0.2;
   // cosine of 175 degrees: a face with a larger angle in space is a cap
   static constexpr double smallest_angle_cosine = -0.9961946980917455;
-  // of the height over the longest edge: below, a face is a sliver, and below, it is degenerate
+  // of the height over the longest edge: below the first a face is a sliver, below the second it is degenerate
   static constexpr double sliver_height = 1e-4, degenerate_height = 1e-10;
 
   double cosine; // between the normal of the face and the sum of the normals of its vertices; -1 if it is degenerate
@@ -47,7 +47,7 @@ struct Face_quality
     height = 1;
     if (is_cap || !(squared_area > sliver_height * sliver_height * longest * longest))
       height = std::sqrt(squared_area) / longest;
-    if (!(height > degenerate_height)) // nor if it is not a number
+    if (!(height > degenerate_height)) // true for NaN, too
     {
       height = 0;
       cosine = -1;
@@ -62,7 +62,7 @@ struct Face_quality
   bool is_flat() const { return height < 1; }
   bool is_good() const { return cosine >= smallest_cosine && !is_flat(); }
 
-  // the worse of both in each respect
+  // takes the worse of both in each respect
   Face_quality& combine(const Face_quality& other)
   {
     cosine = (std::min)(cosine, other.cosine);
@@ -82,8 +82,9 @@ private:
   }
 };
 
-// What is asked of a face in the place of another one. Never: a fold, or a degenerate face. Rather not: a flat face. Each only as far as
-// the other one was no better; how a flat face lies counts for nothing.
+// Whether a face is worse than the other face whose place it takes. A fold and a degenerate face are never wanted, a flat face
+// rather not. Each of them is allowed if the other face was no better. How a flat face lies counts for nothing: any fold may
+// take its place.
 inline bool is_folded_by(const Face_quality& after, const Face_quality& before)
 {
   if (after.is_degenerate())
@@ -125,8 +126,8 @@ private:
     return !is_folded_by(after, before) && !is_flattened_by(after, before);
   }
 
-  // A part of a face may be a cap that a flip can mend: nothing but subdivisions leads from a needle, whose halves are caps, to good
-  // triangles. Slivers and degenerate faces would be two of one.
+  // A part of a face may be a cap if a flip can mend it. The halves of a needle are caps, and nothing but subdivisions leads
+  // from a needle to good triangles. A part may not be a sliver or degenerate: there would be two such faces in place of one.
   bool accepts_part(const New_face& face, const Face_quality& after) const
   {
     if (after.is_sliver() || (after.is_cap && !is_flippable(face)))
@@ -134,7 +135,7 @@ private:
     return after.cosine >= Face_quality::smallest_cosine || after.cosine >= quality(face.old_face).cosine;
   }
 
-  // whether the longest edge of a part of a face is inside the surface and was one of the face
+  // whether the longest edge of a part of a face was an edge of the face and is on no curve
   bool is_flippable(const New_face& face) const
   {
     std::size_t longest = 0;

@@ -23,8 +23,9 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// The edges over which two faces lie on each other. The normals of the vertices tell how faces should lie, but not at sharp
-// edges, nor where two sheets of the surface are closer than its vertices: there both faces may look the way of their vertices.
+// Counts the edges over which two faces lie on each other. The normals of the vertices tell how faces should lie. They do not
+// tell it at sharp edges, nor where two sheets of the surface are closer to each other than the vertices are. There two faces
+// may lie on each other although both look the way of their vertices.
 template <typename Mesh>
 class Fold_guard
 {
@@ -42,7 +43,7 @@ public:
   }
 
 private:
-  // over the sides of the faces that the change removes
+  // the folds over the sides of the faces that the change removes
   std::size_t folds_before(const Change& change) const
   {
     std::size_t number_of_folds = 0;
@@ -50,13 +51,13 @@ private:
                   [&](const Halfedge_index h, const bool is_inner)
                   {
                     const Halfedge_index g = m_mesh.opposite(h);
-                    if (!is_inner || h < g) // an inner side is one of two faces
+                    if (!is_inner || h < g) // an inner side belongs to two faces
                       number_of_folds += is_folded_edge(face_normal(h, m_mesh), face_normal(g, m_mesh));
                   });
     return number_of_folds;
   }
 
-  // over those of the faces that it adds: towards each other and towards the faces beyond
+  // the folds over the sides of the faces that the change adds, towards each other and towards the faces beyond
   std::size_t folds_after(const Change& change) const
   {
     boost::container::small_vector<Vector, 16> normals;
@@ -78,7 +79,8 @@ private:
     return number_of_folds;
   }
 
-  // calls `visit(h, is_inner)` for the sides of the old faces that are not on the border; inner ones have old faces on both sides
+  // Calls `visit(h, is_inner)` for the sides of the old faces that are not on the border. An inner side has old faces on both
+  // sides.
   template <typename Visit>
   void for_each_side(const Change& change, const Visit& visit) const
   {

@@ -24,7 +24,7 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// a triangle of an oriented mesh, which knows by their numbers which vertices it shares with others
+// a triangle of an oriented mesh; the numbers of its vertices tell which ones it shares with others
 struct Indexed_triangle
 {
   std::array<std::size_t, 3> vertices{};
@@ -40,13 +40,14 @@ struct Indexed_triangle
   }
 };
 
-// Whether two triangles have more in common than the vertices and the edge that they share. Most pairs are told apart in
-// doubles, where these leave no doubt, the others exactly, by `Kernel`. Triangles without area do not intersect others: only
-// the input has them. Exact predicates take long to compile: a template, so that programs that do not ask for them do without.
+// Tells whether two triangles have more in common than the vertices and the edge that they share. Most pairs are told apart in
+// doubles, where these leave no doubt. The others are told apart exactly, by `Kernel`. Triangles without area do not intersect
+// others: only the input has them. Exact predicates take long to compile. This is a template, so that programs that do not ask
+// for them do without.
 template <typename Kernel>
 class Triangle_pair
 {
-  // products in double are exact to some 1e-15 of those of the lengths
+  // a product in doubles is exact to some 1e-15 of the product of the lengths
   static constexpr double rounding = 1e-12;
 
 public:
@@ -97,7 +98,8 @@ private:
     return side == 3 || side == -3;
   }
 
-  // whether one through the vertex that they share is, across the way from the middle of one to that of the other
+  // Whether a plane through the shared vertex separates the triangles. The plane is perpendicular to the way from the middle of
+  // one triangle to the middle of the other.
   bool is_plane_between() const
   {
     const Vector& v = m_s.points[m_in_s[0]];
@@ -121,7 +123,7 @@ private:
     case 1: // the sides opposite to the vertex
       return CGAL::do_intersect(s, typename Kernel::Segment_3(point(m_t, m_in_t[0] + 1), point(m_t, m_in_t[0] + 2))) ||
              CGAL::do_intersect(t, typename Kernel::Segment_3(point(m_s, m_in_s[0] + 1), point(m_s, m_in_s[0] + 2)));
-    case 2: // in one plane and on one side of the edge
+    case 2: // they intersect in one plane and on one side of the edge
     {
       const typename Kernel::Point_3 a = point(m_s, m_in_s[0]), b = point(m_s, m_in_s[1]),
                                      c = point(m_s, 3 - m_in_s[0] - m_in_s[1]), d = point(m_t, 3 - m_in_t[0] - m_in_t[1]);

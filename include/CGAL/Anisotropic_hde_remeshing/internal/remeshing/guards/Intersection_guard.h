@@ -31,8 +31,8 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// The faces of a mesh in an R-tree. It tells whether other faces would intersect them, by the predicates of `Kernel`. Faces that
-// intersect each other already may go on to do so.
+// The faces of a mesh in an R-tree. It tells whether other faces would intersect them, by the predicates of `Kernel`. Faces
+// that intersect each other already may go on to do so.
 template <typename Kernel>
 class Intersection_guard
 {
@@ -50,7 +50,7 @@ class Intersection_guard
 public:
   typedef std::pair<std::size_t, std::size_t> Pair;
 
-  // all faces anew: those of which `is_used` by their number
+  // stores all faces anew; the number f is that of a face if `is_used[f]`
   void assign(std::vector<Indexed_triangle> triangles, std::vector<char> is_used)
   {
     m_triangles = std::move(triangles);
@@ -84,7 +84,7 @@ public:
     m_tree.insert(Entry(box(triangle), f));
   }
 
-  // whether the new faces, in the place of the old ones, intersect only what these did
+  // whether the new faces intersect only what the old ones did; they take the place of the old ones
   template <typename Faces, typename Triangles>
   bool accepts(const Faces& old_faces, const Triangles& new_triangles) const
   {
@@ -107,7 +107,7 @@ public:
     return true;
   }
 
-  // the faces that intersect a face, of those asked for, in the order of their numbers
+  // the faces among those asked for that intersect face f, in the order of their numbers
   template <typename IsAskedFor>
   std::vector<std::size_t> intersecting(const std::size_t f, const IsAskedFor& is_asked_for) const
   {
@@ -130,7 +130,7 @@ private:
     return Box(Corner(low[0], low[1], low[2]), Corner(high[0], high[1], high[2]));
   }
 
-  // whose bounding boxes meet
+  // visits the faces whose bounding boxes meet that of the triangle
   template <typename Visit>
   void for_each_near(const Indexed_triangle& triangle, const Visit& visit) const
   {

@@ -33,11 +33,11 @@ namespace internal {
 struct Obstacles
 {
   std::vector<Indexed_triangle> triangles;
-  std::vector<std::size_t> vertex_numbers; // by Vertex_state::input_vertex: as the triangles name the vertices that they share
+  std::vector<std::size_t> vertex_numbers; // by Vertex_state::input_vertex: their numbers in the triangles
   std::size_t first_free_number = 0;       // of vertices
 };
 
-// what stands for the intersections of a mesh where nobody asked for them
+// takes the place of `Mesh_intersections` where nobody asks for them
 class No_intersections
 {
 public:
@@ -58,7 +58,8 @@ public:
   }
 };
 
-// No operation lets a face intersect another one, or an obstacle, that none of the faces before has intersected.
+// No operation may let a face intersect another face or an obstacle, unless one of the faces before the operation did so
+// already.
 template <typename Mesh, typename Kernel = Exact_predicates_inexact_constructions_kernel>
 class Mesh_intersections
 {
@@ -73,7 +74,7 @@ public:
 
   bool is_active() const { return m_is_active; }
 
-  // all faces anew, with their vertices where `state_of(vertex)` has them
+  // stores all faces anew, with their vertices where `state_of(vertex)` has them
   template <typename ConcurrencyTag, typename StateOf>
   void assign(const StateOf& state_of, Interruption& interruption)
   {
@@ -118,7 +119,7 @@ public:
     return m_guard.accepts(old_faces, triangles);
   }
 
-  // after the mesh has changed there
+  // to be called after the mesh has changed at face f
   void update(const Face_index f)
   {
     if (!m_is_active)
@@ -129,7 +130,8 @@ public:
       m_guard.replace(number(f), triangle(f, [&](const Vertex_index v) -> const Vertex& { return m_mesh.point(v); }));
   }
 
-  // Takes back moves until no two faces intersect that have not done so before, and none has folded by it.
+  // Takes back moves until no two faces intersect that have not done so before. Where this folds a face, it takes back the
+  // moves there, too.
   template <typename ConcurrencyTag>
   void revert(Simultaneous_moves<Mesh>& moves, Interruption& interruption, const Fold_test fold_test)
   {
@@ -150,7 +152,7 @@ public:
   }
 
 private:
-  // the obstacles come before the faces
+  // the numbers of the obstacles come before those of the faces
   std::size_t number(const std::size_t f) const { return m_obstacles.triangles.size() + f; }
   bool is_obstacle(const std::size_t number) const { return number < m_obstacles.triangles.size(); }
   Face_index face(const std::size_t number) const
@@ -179,7 +181,7 @@ private:
     return result;
   }
 
-  // the numbers of what intersects the face by now, but not where the mesh is, of those asked for
+  // The numbers of what intersects face f after the moves, but did not do so in the mesh. Only numbers asked for are looked at.
   template <typename IsAskedFor>
   std::vector<std::size_t> new_intersections(const Face_index f, const IsAskedFor& is_asked_for) const
   {
@@ -197,7 +199,7 @@ private:
     return result;
   }
 
-  // the face, if there are some, and them
+  // adds the new intersections of face f, and the face itself for each of them
   void add_new_intersections(const Face_index f, std::vector<Face_index>& faces) const
   {
     for (const std::size_t g : new_intersections(f, [](std::size_t) { return true; }))
@@ -208,7 +210,7 @@ private:
     }
   }
 
-  // the faces that intersect others newly, and those others
+  // the faces that newly intersect others, and these others
   template <typename ConcurrencyTag>
   std::vector<Face_index> intersecting(const Simultaneous_moves<Mesh>& moves, Interruption& interruption) const
   {
@@ -217,7 +219,7 @@ private:
       const Triangle t(m_mesh.halfedge(f), m_mesh);
       return moves.is_moved(t.a) || moves.is_moved(t.b) || moves.is_moved(t.c);
     };
-    // of two that have both moved one tells
+    // if two faces have both moved, only the first one looks at the other
     std::vector<char> is_intersecting(face_capacity(m_mesh), 0);
     parallel_for<ConcurrencyTag>(
         is_intersecting.size(),
@@ -237,7 +239,7 @@ private:
     return result;
   }
 
-  // each once
+  // the faces around the vertices, each once
   std::vector<Face_index> faces_around(const std::vector<Vertex_index>& vertices) const
   {
     std::vector<Face_index> result;

@@ -23,15 +23,15 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// What is asked of every operation, and told by its change alone: that no face is folded or flattened, that none folds over an
-// edge, and if these were asked for, that none is too far from the surface or intersects another one.
+// What is asked of every operation. The change alone tells it. No face may be folded or flattened, and none may fold over an
+// edge. If that is asked for, no face may be too far from the surface, or intersect another one.
 template <typename Mesh, typename Function, typename Intersections>
 class Operation_guard
 {
   typedef Local_change<Mesh> Change;
 
 public:
-  // `unit` of the coordinates, in that of the function
+  // `unit` is that of the coordinates, in the unit of the function
   Operation_guard(const Mesh& mesh, const Function& function, const double unit, Intersections& intersections)
     : m_mesh(mesh), m_faces(mesh), m_folds(mesh), m_deviation(function, unit), m_intersections(intersections)
   {
@@ -39,7 +39,7 @@ public:
 
   void set_largest_distance(const double distance) { m_deviation.set_largest_distance(distance); }
 
-  // whether what it accepts depends only on what is next to the change
+  // whether `accepts()` depends only on what is next to the change
   bool is_local() const { return !m_intersections.is_active(); }
 
   bool accepts(const Change& change) const
@@ -47,7 +47,8 @@ public:
     return m_faces.accepts(change) && m_folds.accepts(change) && m_intersections.accepts(change) && accepts_distance(change);
   }
 
-  // to be told of what has been done: on the faces of a change, on both sides of an edge, or about a vertex
+  // The update functions are called after an operation: for the faces of a change, on both sides of an edge, or around a
+  // vertex.
   void update(const Change& change) const
   {
     for (const Face_index f : change.old_faces())
@@ -68,7 +69,7 @@ public:
         m_intersections.update(m_mesh.face(h));
   }
 
-  // after faces have got other numbers
+  // is called after faces have got other numbers
   template <typename ConcurrencyTag>
   void update_all(Interruption& interruption) const
   {
@@ -76,7 +77,7 @@ public:
         [&](const Vertex_index v) -> const typename Mesh::Vertex& { return m_mesh.point(v); }, interruption);
   }
 
-  // takes back those of the moves that it does not accept; the others are to be done
+  // takes back the moves that the guard does not accept; the others are to be done
   template <typename ConcurrencyTag>
   void revert(Simultaneous_moves<Mesh>& moves, Interruption& interruption) const
   {
@@ -98,7 +99,7 @@ private:
   {
     if (!m_deviation.is_active() || change.kind() == Change_kind::SUBDIVISION)
       return true;
-    // all faces are in one region, or new ones touch its curve
+    // all faces are in one region, or the new ones touch its curve and are accepted
     const Region region = m_mesh.region(m_mesh.halfedge(change.old_faces().front()));
     for (const auto& face : change.new_faces())
       if (!m_deviation.accepts(*face.corners[0].state, *face.corners[1].state, *face.corners[2].state, region))
@@ -110,7 +111,7 @@ private:
   const Face_guard<Mesh> m_faces;
   const Fold_guard<Mesh> m_folds;
   Deviation_guard<Function> m_deviation;
-  Intersections& m_intersections; // which the operations keep up to date
+  Intersections& m_intersections; // kept up to date by the operations
 };
 
 } // namespace internal

@@ -27,12 +27,12 @@ namespace internal {
 // what counts as a fold
 enum class Fold_test
 {
-  EDGES, // where the vertices have no normals yet; faces that lose their height fold, too
+  EDGES, // while the vertices have no normals yet; a face that loses its height counts as a fold, too
   NORMALS_AND_EDGES
 };
 
-// New states of vertices that all move at once, of which those are taken back that would fold faces over: what is done does
-// not depend on the order of the vertices.
+// New states of vertices that all move at once. Moves that would fold faces are taken back. The result does not depend on the
+// order of the vertices.
 template <typename Mesh>
 class Simultaneous_moves
 {
@@ -44,7 +44,7 @@ class Simultaneous_moves
 public:
   explicit Simultaneous_moves(const Mesh& mesh) : m_mesh(mesh) { clear(); }
 
-  // for moves of the mesh as it is by now, in the memory of the last ones
+  // prepares for moves of the mesh as it is now, in the memory of the last moves
   void clear()
   {
     m_states.resize(vertex_capacity(m_mesh));
@@ -52,8 +52,9 @@ public:
     m_is_moved.assign(vertex_capacity(m_mesh), 0);
   }
 
-  // Asks `propose(vertex, state, sides)` of every vertex for which `is_chosen(vertex)`, concurrently, whether it moves and whereto:
-  // `state`, and on a crease `sides`, come as they are in the mesh, which does not change meanwhile.
+  // Calls `propose(vertex, state, sides)` concurrently for every vertex for which `is_chosen(vertex)` holds. The call returns
+  // whether the vertex moves, and changes `state`, and on a crease `sides`, to where it moves. Both come as they are in the
+  // mesh. The mesh does not change meanwhile.
   template <typename ConcurrencyTag, typename IsChosen, typename Propose>
   void propose(const IsChosen& is_chosen, const Propose& propose, Interruption& interruption)
   {
@@ -79,7 +80,7 @@ public:
   // where the vertex will be
   const Vertex& state(const Vertex_index v) const { return m_is_moved[v] ? m_states[v] : m_mesh.point(v); }
 
-  // as the face of h will see it
+  // the vertex as the face of h will see it
   const Vertex& state(const Vertex_index v, const Halfedge_index h) const
   {
     if (!m_is_moved[v])
@@ -87,15 +88,16 @@ public:
     return m_states[v].is_on_crease ? Mesh::side(m_sides[v], m_mesh.region(h)) : m_states[v];
   }
 
-  // Takes back the moves of the vertices of folded faces, and then of those that this has folded, until there are none: each
-  // round takes back at least one move. Returns how many moves it took back.
+  // Takes back the moves of the vertices of folded faces. This may fold other faces: their vertices are next, until no face is
+  // folded. It ends because each round takes back at least one move. Returns how many moves it took back.
   template <typename ConcurrencyTag>
   std::size_t revert_folds(Interruption& interruption, const Fold_test test = Fold_test::NORMALS_AND_EDGES)
   {
     return revert(folded_faces<ConcurrencyTag>(interruption, test), test).size();
   }
 
-  // Takes back the moves of the vertices of these faces, and then of those that this has folded. Returns all these vertices.
+  // Takes back the moves of the vertices of these faces, and then of the faces that this has folded. Returns all vertices whose
+  // moves it took back.
   std::vector<Vertex_index> revert(std::vector<Face_index> faces, const Fold_test test = Fold_test::NORMALS_AND_EDGES)
   {
     std::vector<Vertex_index> result;
@@ -112,8 +114,8 @@ public:
     return result;
   }
 
-  // Takes back the moves of both ends of the edges for which `is_bad(edge)`, until no such edge has an end that moves: each round
-  // takes back at least one move. That may fold faces: ask for folds afterwards.
+  // Takes back the moves of both ends of the edges for which `is_bad(edge)` holds, until no such edge has an end that moves. It
+  // ends because each round takes back at least one move. This may fold faces: ask for folds afterwards.
   template <typename ConcurrencyTag, typename IsBad>
   void revert_edges(const IsBad& is_bad, Interruption& interruption)
   {
@@ -140,7 +142,7 @@ public:
     }
   }
 
-  // changes the mesh
+  // makes the moves in the mesh
   template <typename ConcurrencyTag>
   void accept(Mesh& mesh) const
   {
@@ -157,7 +159,7 @@ public:
   }
 
 private:
-  // what is known of a face: two flat ones do not fold over their edge, and the edge of two that do not move is as it was
+  // What is known of a face. Two flat faces do not fold over their edge. The edge of two unmoved faces is as it was.
   enum : char
   {
     BENT,
@@ -199,7 +201,7 @@ private:
     return result;
   }
 
-  // the face of h, and those beyond its edges, where they are folded
+  // adds the face of h and the faces beyond its edges, if they are folded
   void add_if_folded(const Halfedge_index h, const Fold_test test, std::vector<Face_index>& faces) const
   {
     char shape = BENT;
@@ -216,7 +218,7 @@ private:
       faces.push_back(m_mesh.face(h));
   }
 
-  // whether the moves fold the face itself; `shape` tells what is known of it, or is not changed
+  // Whether the moves fold the face itself. `shape` is set to what is known of the face, or is not changed.
   bool folds(const Face_index f, const Fold_test test, char& shape) const
   {
     const Halfedge_index h = m_mesh.halfedge(f);
@@ -231,10 +233,10 @@ private:
     return moved_normal(h).isZero(0) && !face_normal(h, m_mesh).isZero(0);
   }
 
-  // Whether the moves fold the face over the normals of its vertices. It is flat if it could not even fold over an edge with
-  // another flat one: with three normals within 60 degrees, their sum is within 35.3 degrees of that of two of them, and the face
-  // within 34.9 degrees of it. On both sides of an edge that is less than 141 degrees; not so over a crease, where the faces have
-  // different normals.
+  // Whether the moves fold the face over the normals of its vertices. The face is FLAT if it cannot fold over an edge with
+  // another FLAT face either. For this its three normals are within 60 degrees of each other. Then their sum is within 35.3
+  // degrees of the sum of two of them. The normal of the face is within 34.9 degrees of the sum of the three. On both sides of
+  // an edge together that is less than 141 degrees. This does not hold over a crease, where the faces have different normals.
   bool folds_over_normals(const Triangle& t, const Halfedge_index h, char& shape) const
   {
     const Vertex &a = state(t.a, h), &b = state(t.b, h), &c = state(t.c, h);
@@ -249,7 +251,7 @@ private:
     return is_folded_by(after, before) || is_flattened_by(after, before);
   }
 
-  // whether the moves fold the edge of h, which is not on the border
+  // whether the moves fold the edge of h; this edge is not on the border
   bool folds_over_edge(const Halfedge_index h) const
   {
     const Halfedge_index g = m_mesh.opposite(h);
@@ -262,7 +264,7 @@ private:
     return face_normal(state(t.a), state(t.b), state(t.c));
   }
 
-  // those that had moved
+  // takes back the moves of the vertices of these faces; returns the vertices that had moved
   std::vector<Vertex_index> revert_vertices(const std::vector<Face_index>& faces)
   {
     std::vector<Vertex_index> result;

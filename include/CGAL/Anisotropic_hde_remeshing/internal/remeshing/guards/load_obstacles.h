@@ -25,7 +25,7 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// the faces of the caller's mesh that are not remeshed, in triangles
+// the faces of the caller's mesh that are not remeshed, split into triangles
 template <typename TriangleMesh, typename VertexPointMap>
 Obstacles load_obstacles(const TriangleMesh& tmesh, const VertexPointMap vpm, const Mesh_origin<TriangleMesh>& origin)
 {
@@ -43,7 +43,7 @@ Obstacles load_obstacles(const TriangleMesh& tmesh, const VertexPointMap vpm, co
     triangle.vertices[k] = get(numbers, target(h, tmesh));
     triangle.points[k] = finite_vector(get(vpm, target(h, tmesh)), "point", triangle.vertices[k]) / origin.unit;
   };
-  std::vector<char> is_remeshed(num_faces(tmesh), 0); // it may count removed faces, too
+  std::vector<char> is_remeshed(num_faces(tmesh), 0); // num_faces() may count removed faces, too
   for (const std::size_t position : origin.face_positions)
     is_remeshed[position] = 1;
   std::size_t position = 0;
