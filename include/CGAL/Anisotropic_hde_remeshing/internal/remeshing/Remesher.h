@@ -47,35 +47,36 @@ class Remesher
   typedef Local_operations<ConcurrencyTag, Embedding, Projection, Guard> Operations;
   typedef Vertex_projector<ConcurrencyTag, Embedding, Projection, Guard> Projector;
 
-  // Passes stop when next to nothing is left to do, which these only bound: a split halves an edge, a contraction shortens
-  // none.
+  // These are only bounds: passes stop when next to nothing is left to do, because a split halves an edge and a contraction
+  // shortens none.
   static constexpr int maximum_number_of_split_passes = 40;
   static constexpr int maximum_number_of_collapse_passes = 40;
   static constexpr int maximum_number_of_paper_rounds = 20;
   static constexpr int maximum_number_of_error_rounds = 16;
-  static constexpr double largest_deviation = 1.5; // of centroids of faces while the mesh is remeshed, over the error
-  // over the number of faces asked for: needles without area have many edges that are too long, whatever that number is
+  static constexpr double largest_deviation = 1.5; // of a face's centroid during the remeshing, over the error
+  // Over the number of faces asked for. Needles without area have many edges that are too long, whatever that number is.
   static constexpr double largest_growth_of_splits = 4;
-  static constexpr double largest_growth_of_refinement = 8; // of the number of faces, where the surface is hopeless
+  static constexpr double largest_growth_of_refinement = 8; // of the number of faces; it ends a hopeless refinement
 
-  // The default scheme aims alternately at a little fewer and a little more faces than asked, and flips edges towards
-  // valence six: contractions and splits where the mesh is least regular, which anneal its connectivity (on an ellipsoid the
-  // share of valence six rises from 73 to 81%, the mean of the smallest angles from 51.6 to 53.7 degrees). The last
-  // iterations settle at the number asked, and flip towards larger angles.
+  // The default scheme aims alternately at a little fewer and a little more faces than asked for, and flips edges towards
+  // valence six. So it contracts and splits edges where the mesh is least regular. This anneals the connectivity: on an
+  // ellipsoid the share of valence six rises from 73 to 81%, the mean of the smallest angles from 51.6 to 53.7 degrees. The
+  // last iterations settle at the number asked for, and flip towards larger angles.
   static constexpr double alternation = 0.07;
-  // A mesh with little to split or contract may be a grid of right triangles, where all operations rest: the first iteration
-  // disturbs it by more (a torus of 131,072 faces: mean of the smallest angles 50.8 without, 53.5 degrees with it; an
-  // ellipsoid from 81,920 to 40,000 faces: 51.3 and 53.5). To refine a mesh disturbs it enough.
+  // A mesh with little to split or contract may be a grid of right triangles, where no operation finds anything to do. So the
+  // first iteration disturbs it by more. The mean of the smallest angles of a torus of 131,072 faces is 50.8 degrees without
+  // this and 53.5 with it; of an ellipsoid from 81,920 to 40,000 faces 51.3 and 53.5. To refine a mesh disturbs it enough.
   static constexpr double first_alternation = 0.4;
   static constexpr double largest_ratio_to_right_number = 2.5, smallest_ratio_to_right_number = 0.67;
-  static constexpr unsigned int settling_share = 6; // one iteration in so many, rounded up
-  // The edges that the thresholds leave are shorter than the target in the mean when a mesh is coarsened: the length that
-  // they refer to starts that much larger, and follows the number of faces that it gives.
+  static constexpr unsigned int settling_share = 6; // one iteration in this many settles, rounded up
+  // When a mesh is coarsened, the edges that the thresholds leave are shorter than the target on average. So the length to
+  // which the thresholds refer starts larger by this factor. Later it follows the number of faces that results.
   static constexpr double first_length_factor = 1.05;
   static constexpr double feedback = 0.25;
   static constexpr double largest_feedback_ratio = 1.3;
-  // Where creases keep more vertices than there shall be, the rest of the mesh is not given up for them: the length stays near that
-  // which the area asks for, and contractions that only serve the number of faces are left out from this ratio of the numbers on.
+  // Creases may keep more vertices than the mesh shall have. The rest of the mesh is not given up for them: the length stays
+  // near the one that the area asks for. Contractions that only serve the number of faces are left out if this number is too
+  // large by more than this ratio.
   static constexpr double largest_length_factor_with_creases = 1.2, largest_ratio_with_creases = 1.1;
   static constexpr double largest_miss = 0.01; // of the number of faces asked for
   // contractions that only serve the number of faces may make longer edges while the mesh settles
@@ -100,8 +101,8 @@ public:
   {
   }
 
-  // The target length follows from the mesh, and so does a metric that follows from the curvature. Its bounds refer to the
-  // target length: the first time it has none.
+  // Updates the target length, and a metric that follows from the curvature, to the mesh. The bounds of the metric refer to the
+  // target length. As long as there is none, the metric has no bounds.
   void update(Target_length& target)
   {
     if constexpr (is_metric<Embedding>)
@@ -118,7 +119,7 @@ public:
 
   void project_input() { m_projector.project_input(m_interruption); }
 
-  // `target` is up to date
+  // requires that `target` is up to date
   void run(Target_length target)
   {
     const unsigned int n = m_parameters.number_of_iterations;
@@ -132,14 +133,14 @@ public:
       if (!go_further())
         break;
       if (m_iteration == 0)
-        reorder(); // most of the vertices that there will be are there
+        reorder(); // most of the final vertices exist by now
       update(target);
       if (m_parameters.error > 0)
         approach_error(target);
       report(1);
     }
     m_result.target_edge_length = target.length();
-    if (!m_projector.project_exactly(m_interruption)) // most of the vertices are exact already, and the caller waits
+    if (!m_projector.project_exactly(m_interruption)) // interrupted: project only the few that are not exact
     {
       Interruption never;
       const auto is_due = [&](const Vertex_index v)
@@ -167,10 +168,10 @@ public:
   }
 
 private:
-  // what kept the mesh from the number of faces, or that
+  // what kept the mesh from the number of faces; that number itself if the mesh has reached it
   Target binding_target(const double number_of_faces) const
   {
-    const double tolerance = (std::max)(largest_miss * number_of_faces, 2.); // a split makes two faces
+    const double tolerance = (std::max)(largest_miss * number_of_faces, 2.); // a split adds two faces
     if (!(std::abs(double(m_mesh.number_of_faces()) - number_of_faces) > tolerance))
       return Target::NUMBER_OF_FACES;
     std::size_t number_at_curves = 0;
@@ -214,7 +215,7 @@ private:
     target.template update<ConcurrencyTag>(m_mesh, m_embedding);
   }
 
-  // Without an iteration the vertices are only projected: what comes of it is told.
+  // Without an iteration the vertices are only projected. Then the error is measured, but the mesh is not refined.
   void measure_error()
   {
     Error_of_mesh error = error_of_mesh();
@@ -225,8 +226,8 @@ private:
         m_result.approximation_error <= m_parameters.error ? Target::APPROXIMATION_ERROR : Target::NUMBER_OF_FACES;
   }
 
-  // Splits edges of the faces that exceed the error until there are none, or as many faces as allowed. Each round halves edges,
-  // hence quarters their errors. The last word is a measurement.
+  // Splits edges of the faces that exceed the error, until no face does or the mesh has as many faces as allowed. Each round
+  // halves edges and so quarters their errors. A measurement comes last.
   void refine_to_error()
   {
     const double largest_number_of_faces =
@@ -251,7 +252,8 @@ private:
       m_result.approximation_error = (std::numeric_limits<double>::infinity)();
   }
 
-  // Splits the edges, with the new vertices exactly on the surface. The others do not move: their faces have passed.
+  // Splits the edges and puts the new vertices exactly on the surface. The other vertices do not move, because their faces have
+  // passed.
   void refine(const std::vector<Edge_index>& edges)
   {
     std::vector<char> is_old(vertex_capacity(m_mesh) + edges.size(), 0);
@@ -260,14 +262,15 @@ private:
     m_operations.split(edges);
     m_operations.flip(Flip_criterion::ANGLE);
     const auto is_new = [&](const Vertex_index v) { return !is_old[v]; };
-    if (!m_projector.project_exactly(is_new, m_interruption)) // the caller waits, but they are on the surface roughly only
+    if (!m_projector.project_exactly(is_new, m_interruption)) // interrupted, but they are on the surface only roughly
     {
       Interruption never;
       m_projector.project_exactly(is_new, never);
     }
   }
 
-  // of each face the longest in the embedding, the next if it could not be split; each once, in the order of the mesh
+  // The longest edge in the embedding of each face; the next one if that could not be split. Each edge comes once, in the order
+  // of the mesh.
   std::vector<Edge_index> edges_to_split(const std::vector<typename Error_of_mesh::Failing_face>& faces) const
   {
     std::vector<Edge_index> edges;
@@ -312,7 +315,7 @@ private:
   // Algorithm 2 of the paper
   void iterate_as_the_paper(const Target_length& target)
   {
-    // the paper gives the length; for a number of faces it must follow what it yields
+    // In the paper the length is given. If the number of faces is given, the length must follow the number that results.
     const double length = target.is_length_given() ? target.length() : m_length_factor * target.length();
     bool is_any_contracted = true;
     for (int round = 0; is_any_contracted && round < maximum_number_of_paper_rounds && go_further(); ++round)
@@ -332,17 +335,18 @@ private:
     flip(Flip_criterion::ANGLE);
   }
 
-  // so few splits or contractions that another pass over all edges is not worth it: the next iteration sees to the rest
+  // Whether there were so few splits or contractions that another pass over all edges is not worth it. The next iteration does
+  // the rest.
   bool is_negligible(const std::size_t count) const { return 1000 * count <= m_mesh.number_of_edges(); }
 
-  // what splits may make, where a number is asked for
+  // how many faces splits may lead to, where a number is asked for
   double largest_number_of_faces(const double number_of_faces) const
   {
     return largest_growth_of_splits * (std::max)(number_of_faces, double(m_mesh.number_of_faces()));
   }
 
-  // If each edge were split alone. It is large for rows of needles, as the sides of cylinders are in CAD exports: these are to be
-  // contracted across first, which makes their long edges longer for a while.
+  // The number of faces if each edge were split alone. It is large for rows of needles, such as the sides of cylinders in CAD
+  // exports. Such rows are to be contracted across first. That makes their long edges longer for a while.
   double number_of_faces_after_splits(const double length) const
   {
     const double longest = m_parameters.split_ratio * length;
@@ -363,7 +367,7 @@ private:
     const double largest = largest_number_of_faces(number_of_faces);
     for (int pass = 0; pass < maximum_number_of_split_passes && go_further(); ++pass)
     {
-      const double room = (std::min)((largest - double(m_mesh.number_of_faces())) / 2, // a split makes two faces of one
+      const double room = (std::min)((largest - double(m_mesh.number_of_faces())) / 2, // a split adds two faces
                                      room_for_splits(m_mesh.num_halfedges()));
       if (room < 1 || is_negligible(m_operations.split(m_parameters.split_ratio * length, std::size_t(room))))
         break;
@@ -398,7 +402,7 @@ private:
 
   bool is_settling() const { return m_iteration + number_of_settling_iterations() >= m_parameters.number_of_iterations; }
 
-  // fewer faces last: that measures better than more
+  // the last alternation aims at fewer faces: that measures better than more
   double alternating_factor(const double number_of_faces) const
   {
     if (is_settling())
@@ -410,7 +414,8 @@ private:
     return to_go % 2 == 0 ? 1 + alternation : 1 - alternation;
   }
 
-  // What the thresholds have left to do for the number of faces, the shortest and the longest edges do, two faces an edge.
+  // Makes up for what the thresholds leave of the way to the number of faces. It contracts the shortest edges or splits the
+  // longest ones, two faces for each edge.
   void approach_number_of_faces(const double number_of_faces, const double length)
   {
     const double ratio = double(m_mesh.number_of_faces()) / number_of_faces;

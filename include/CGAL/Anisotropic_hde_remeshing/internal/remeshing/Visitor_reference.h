@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// The caller's visitor without its type, for what it hears; `Interruption` asks it.
+// The caller's visitor without its type. This class tells the visitor; `Interruption` asks it.
 class Visitor_reference
 {
 public:

@@ -39,8 +39,9 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// The second of the paper's two steps, on the copy of the mesh; `diagonal` in the unit of the caller, `unit` that of the copy.
-// No type of the caller's but the embedding's is one of this template's: what calls have in common is compiled once.
+// The second of the paper's two steps, on the copy of the mesh. `diagonal` is in the unit of the caller, `unit` is that of the
+// copy. Of the caller's types the template has the embedding only. So calls with other meshes and functions share what is
+// compiled.
 template <typename ConcurrencyTag, typename Embedding, typename Intersections>
 void remesh(Working_mesh<typename Embedding::Vertex_data>& mesh, const Embedding& embedding, const Surface_function& function,
             const Input_surface& input, Intersections& intersections, const double diagonal, const double unit,
@@ -49,8 +50,8 @@ void remesh(Working_mesh<typename Embedding::Vertex_data>& mesh, const Embedding
 {
   typedef Surface_projection<Surface_function> Projection;
   typedef Remesher<ConcurrencyTag, Embedding, Projection, Intersections> Remesher;
-  static constexpr double exact_distance = 1e-9;           // of the diagonal; one more step of Newton squares it
-  static constexpr double largest_crease_deviation = 5e-5; // likewise: of an edge on a curve from the polyline of the input
+  static constexpr double exact_distance = 1e-9;           // of the diagonal; one more step of Newton's method squares it
+  static constexpr double largest_crease_deviation = 5e-5; // of the diagonal: of an edge on a curve from its input polyline
 
   Real_timer timer;
   timer.start();

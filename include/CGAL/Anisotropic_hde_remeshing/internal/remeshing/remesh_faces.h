@@ -43,7 +43,7 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// The regions of the loaded faces; none where there is one piece only. Throws std::invalid_argument if there is no such piece.
+// The regions of the loaded faces. Throws std::invalid_argument if a region is not the number of a piece.
 template <typename TriangleMesh, typename FaceRegionMap>
 std::vector<Region> regions_of_faces(const Mesh_origin<TriangleMesh>& origin, const FaceRegionMap face_region,
                                      const std::size_t number_of_pieces)
@@ -61,7 +61,7 @@ std::vector<Region> regions_of_faces(const Mesh_origin<TriangleMesh>& origin, co
   return result;
 }
 
-// where they are asked for
+// the intersections of the mesh if they are asked for, otherwise `No_intersections`
 template <typename NamedParameters, typename Mesh, typename TriangleMesh, typename VertexPointMap>
 auto intersections_parameter(const NamedParameters& np, const Mesh& mesh, const TriangleMesh& tmesh, const VertexPointMap vpm,
                              const Mesh_origin<TriangleMesh>& origin, const bool is_whole_mesh)
@@ -76,7 +76,7 @@ auto intersections_parameter(const NamedParameters& np, const Mesh& mesh, const 
     return No_intersections();
 }
 
-// by the vertices of the working mesh; all on the first facet if none of them has a closest point
+// The locations on the input, by the vertices of the working mesh. All are on the first facet if no facet has a closest point.
 template <typename ConcurrencyTag, typename Mesh, typename TriangleMesh>
 std::vector<Input_location> locations_on_input(const Mesh& mesh, const Input_surface& input,
                                                const Mesh_origin<TriangleMesh>& origin)
@@ -100,7 +100,7 @@ std::vector<Input_location> locations_on_input(const Mesh& mesh, const Input_sur
   return result;
 }
 
-// faces that no one will like
+// counts faces that are so long and thin that no one will like them
 template <typename Mesh>
 std::size_t number_of_needles(const Mesh& mesh)
 {
@@ -161,7 +161,7 @@ Remeshing_result remesh_faces(const FaceRange& faces, TriangleMesh& tmesh, const
                          origin.unit, Visitor_reference(visitor), interruption, parameters, target, result);
   result.was_stopped = interruption.is_requested();
   if (result.was_stopped && result.number_of_iterations == 0)
-    return result; // not all vertices may be on the surface yet
+    return result; // some vertices may not be on the surface yet
 
   Real_timer timer;
   timer.start();

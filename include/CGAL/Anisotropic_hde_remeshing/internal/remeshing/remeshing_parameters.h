@@ -45,7 +45,7 @@ struct Remeshing_parameters
   double collapse_ratio = 0.8;
   double split_ratio = 4. / 3;
   bool fit_to_surface = false;
-  double error = 0; // the largest distance to the surface, where one is asked for
+  double error = 0; // the largest distance to the surface; 0 if none is asked for
 };
 
 template <typename NamedParameters, typename Name>
@@ -84,8 +84,8 @@ template <typename NamedParameters>
 constexpr bool is_error_given = is_given<NamedParameters, internal_np::approximation_error_t> ||
                                 is_given<NamedParameters, internal_np::relative_approximation_error_t>;
 
-// The embedding that is given; without one the paper's, with sigma in the unit of the mesh or as a share of the diagonal of its
-// bounding box; and if only an error is given, the metric of the largest distance.
+// The embedding that is given. Without one it is the paper's, with sigma in the unit of the mesh or as a share of the diagonal
+// of its bounding box. If only an error is given, it is the metric of the largest distance.
 template <typename NamedParameters>
 auto embedding_parameter(const NamedParameters& np, const double diagonal)
 {
@@ -111,7 +111,7 @@ auto embedding_parameter(const NamedParameters& np, const double diagonal)
 template <typename NamedParameters>
 using Embedding_parameter = decltype(embedding_parameter(std::declval<NamedParameters>(), 1.));
 
-// in the unit of the mesh; 0 if none is given
+// the error in the unit of the mesh; 0 if none is given
 template <typename NamedParameters>
 double error_parameter(const NamedParameters& np, const double diagonal)
 {
@@ -128,7 +128,7 @@ double error_parameter(const NamedParameters& np, const double diagonal)
     return 0;
 }
 
-// in `unit`; it and the diagonal of the mesh as the embedding has them
+// The target length in `unit`. Both `unit` and the diagonal of the mesh are lengths as the embedding has them.
 template <typename NamedParameters>
 Target_length target_length(const NamedParameters& np, const double diagonal, const double unit,
                             const std::size_t number_of_faces)
@@ -158,7 +158,7 @@ Target_length target_length(const NamedParameters& np, const double diagonal, co
     return Target_length::of_number_of_faces(number_of_faces);
 }
 
-// a length may ask for too many faces, which only the mesh tells
+// A length may ask for too many faces. Only the mesh can tell.
 inline void check_number_of_faces(const Target_length& target, const double unit)
 {
   if (target.number_of_faces() > double(largest_number_of_faces))
@@ -167,7 +167,7 @@ inline void check_number_of_faces(const Target_length& target, const double unit
                                " faces, not about " + std::to_string(target.number_of_faces()));
 }
 
-// all that can be wrong with the parameters, before anything is computed
+// checks all that can be wrong with the parameters, before anything is computed
 template <typename NamedParameters>
 void check_parameters(const NamedParameters& np)
 {
@@ -180,7 +180,7 @@ void check_parameters(const NamedParameters& np)
     check_number_of_fitted_faces(target.number_of_faces());
 }
 
-// The edges where two regions of the surface meet, or where one has an edge inside, and the regions of the faces.
+// The creases and the regions of the faces. At a crease two regions of the surface meet, or one region has an edge inside.
 template <typename EdgeIsCreaseMap, typename FaceRegionMap>
 struct Crease_maps
 {
@@ -188,7 +188,7 @@ struct Crease_maps
   FaceRegionMap face_region;
 };
 
-// With a piecewise function of the caller's the patches are the regions, else there is one region.
+// If the caller gives a piecewise function, the patches are the regions. Otherwise there is one region.
 template <typename Function, typename TriangleMesh, typename NamedParameters>
 auto crease_maps(const NamedParameters& np)
 {
