@@ -38,7 +38,7 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// which of the functions below is meant
+// whether the first argument is a range of faces: this tells the functions below apart
 template <typename T>
 constexpr bool is_face_range = Is_range<T>::value;
 
@@ -53,7 +53,7 @@ struct Whole_mesh
   static constexpr bool is_whole = true;
 };
 
-// some of them
+// some faces of a mesh
 template <typename FaceRange>
 struct Part_of_mesh
 {
@@ -78,7 +78,7 @@ constexpr bool accepts_faces_of(const Part_of_mesh<FaceRange>*)
   return accepts_faces<TriangleMesh, FaceRange>();
 }
 
-// on the zero set of the caller's function
+// remeshes on the zero set of the caller's function
 template <typename ConcurrencyTag, typename Faces, typename TriangleMesh, typename Function, typename NamedParameters>
 Remeshing_result remesh_on_surface(const Faces& faces, TriangleMesh& tmesh, const Function& function, const NamedParameters& np)
 {
@@ -96,8 +96,8 @@ Remeshing_result remesh_on_surface(const Faces& faces, TriangleMesh& tmesh, cons
   return Remeshing_result();
 }
 
-// On the surface through the vertices of the whole mesh, whichever faces are remeshed: smooth, or smooth between creases. The
-// function computes in double also where the points of the mesh are exact.
+// Remeshes on the surface through the vertices of the whole mesh, whichever faces are remeshed. The surface is smooth, or
+// smooth between creases. The function computes in double even if the points of the mesh are exact.
 template <typename ConcurrencyTag, typename FaceRange, typename TriangleMesh, typename NamedParameters>
 Remeshing_result remesh_faces_on_built_surface(const FaceRange& faces, TriangleMesh& tmesh, const bool is_whole_mesh,
                                                const NamedParameters& np)
@@ -160,51 +160,56 @@ Remeshing_result remesh_on_built_surface(const Faces& faces, TriangleMesh& tmesh
 /*!
 \ingroup PkgAnisotropicHdeRemeshingRef
 
-remeshes a triangle mesh so that it becomes uniform and isotropic in the embedding \f$ (x, \sigma n(x)) \f$ in \f$ R^6 \f$,
-hence adapted to the curvature and stretched along the directions of low curvature in space, by splits, contractions and flips
-of edges and smoothing of vertices. Every vertex inside the surface is put on the zero set of `function`. Vertices of the
-boundary, of constrained edges and of the edges between patches stay on the polylines that these edges form in the input, whose
-ends, branchings and turns of more than 60 degrees are kept; a closed polyline keeps at least 0.85 of its length.
+remeshes a triangle mesh so that it becomes uniform and isotropic in the embedding \f$ (x, \sigma n(x)) \f$ in \f$ R^6 \f$. In
+space, the mesh is then adapted to the curvature and stretched along the directions of low curvature. The operations are splits,
+contractions and flips of edges, and smoothing of vertices. Every vertex inside the surface is put on the zero set of
+`function`. The boundary edges, the constrained edges and the edges between patches form polylines in the input. Vertices of
+these edges stay on the polylines. The ends, the branchings and the turns of more than 60 degrees of the polylines are kept. A
+closed polyline keeps at least 0.85 of its length.
 
 One smooth function rounds sharp edges that are not constrained. A piecewise function has a smooth piece for each region of the
-surface, and the edges between two regions, the creases, are kept:
+surface. The edges between two regions are the creases. They are kept:
 - A face sees its vertices with the normals of its own region. A vertex on a crease has one normal for each region there.
-- Creases are split, contracted and smoothed along themselves. The 6D length of an edge on a crease is the larger one of those on both
-  sides. No other operation crosses a crease.
-- New and moved vertices of a crease are on the polyline of the input. There is one exception: where the polyline goes along an arc,
-  evenly and in steps of less than 6 degrees, and the zero sets of both regions meet at more than 15 degrees, these vertices are put
-  where the zero sets meet. They leave the polyline by at most twice the height of the arc over it, and at most 5e-4 of the diagonal of
-  the bounding box.
+- Creases are split, contracted and smoothed along themselves. An edge on a crease has a 6D length on each side; the larger one
+  counts. No other operation crosses a crease.
+- New and moved vertices of a crease are on the polyline of the input. There is one exception: places where the polyline goes
+  along an arc, evenly and in steps of less than 6 degrees, and the zero sets of both regions meet at more than 15 degrees.
+  There these vertices are put where the zero sets meet. They leave the polyline by at most twice the height of the arc over it,
+  and at most
+  5e-4 of the diagonal of the bounding box.
 - Corners do not move. They are the ends, branchings and turns mentioned above.
-- If there are creases, the edges on curves follow these closely: the part of a curve that an edge stands for is nowhere further than
-  5e-5 of the diagonal of the bounding box from the straight way between the ends of that part.
+- If there are creases, the edges on curves follow these curves closely. An edge stands for a part of a curve. No point of this
+  part is further than 5e-5 of the diagonal of the bounding box from the straight way between the ends of the part.
 
 The following holds for any orientable manifold triangle mesh, any finite parameters and any number of threads. Anything else is
 refused before `tmesh` is touched.
-- The call ends. The result is valid, manifold and consistently oriented. It has the components, the boundary loops and the Euler
-  characteristic of the input.
-- No face is folded: none looks against the normals at its vertices, unless it replaces one that did so more, or that was flat. There
-  are not more edges over which two faces turn by more than 143 degrees than before. No face is degenerate that was not.
+- The call ends. The result is valid, manifold and consistently oriented. It has the components, the boundary loops and the
+  Euler characteristic of the input.
+- No face is folded: none looks against the normals at its vertices, unless it replaces a face that did so more, or a flat face.
+  There are no more edges over which two faces turn by more than 143 degrees than there were before. No face becomes degenerate.
 - Vertices that are not on the zero set are counted in the result.
 - With `do_self_intersection_tests`, the result has no self-intersection that the input does not have.
 - The result does not depend on the number of threads.
-- If an exception is thrown, `tmesh` is as it was, and so are the values of the property maps at its elements, but those of
-  `vertex_location_map`. Property maps that `tmesh` itself keeps are written when nothing can fail any more. Others may throw: they are
-  written while the old elements are still there, and put back if necessary.
+- If an exception is thrown, `tmesh` is as it was before. So are the values of the property maps at its elements, except those
+  of `vertex_location_map`. Property maps that `tmesh` itself keeps are written when nothing can fail any more. Other maps may
+  throw: they are written while the old elements are still there, and their old values are put back if necessary.
 
-If constraints are given, constrained vertices, the ends, branchings and turns mentioned above, and protected edges keep their
-descriptors; if none are given, all elements are replaced: descriptors become invalid, and isolated vertices are dropped.
+If constraints are given, some elements keep their descriptors: constrained vertices, the ends, branchings and turns mentioned
+above, and protected edges. If no constraints are given, all elements are replaced: descriptors become invalid, and isolated
+vertices are dropped.
 
 \tparam ConcurrencyTag `Sequential_tag` (the default), `Parallel_tag` or `Parallel_if_available_tag`
 \tparam TriangleMesh a model of `FaceListGraph` and `MutableFaceGraph`
-\tparam Function a model of `ImplicitFunctionWithGradient`, such as `Rbf_implicit_function` or a function of the user's own
-        with a nested type `Point_3`, `FT operator()(Point_3) const` and `Vector_3 gradient(Point_3) const`; or a model of
-        `PiecewiseImplicitFunction`, such as `Piecewise_rbf_implicit_function`, which needs `face_patch_map`: the patch of a
-        face is the number of its piece. All functions are called concurrently unless `ConcurrencyTag` is `Sequential_tag`.
+\tparam Function a model of `ImplicitFunctionWithGradient` or of `PiecewiseImplicitFunction`. The first may be
+        `Rbf_implicit_function`, or a function of the user's own with a nested type `Point_3`, `FT operator()(Point_3) const`
+        and `Vector_3 gradient(Point_3) const`. The second may be `Piecewise_rbf_implicit_function`. A piecewise function needs
+        `face_patch_map`: the patch of a face is the number of its piece. All functions are called concurrently unless
+        `ConcurrencyTag` is `Sequential_tag`.
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tmesh the mesh, an orientable manifold, possibly with boundary
-\param function the surface, whose zero set lies near the mesh; if it is piecewise, that of each piece near its faces
+\param function the function whose zero set is the surface. The zero set lies near the mesh. If the function is piecewise, the
+       zero set of each piece lies near the faces of the piece.
 \param np optional named parameters among the ones below
 
 \cgalNamedParamsBegin
@@ -220,13 +225,13 @@ descriptors; if none are given, all elements are replaced: descriptors become in
     \cgalParamDefault{0.01}
   \cgalParamNEnd
   \cgalParamNBegin{embedding}
-    \cgalParamDescription{in what the mesh becomes uniform and isotropic, in place of the paper's embedding: excludes `sigma` and
-                          `relative_sigma`. `Anisotropic_hde_remeshing::Curvature_metric` for a small distance to the surface,
-                          `Anisotropic_hde_remeshing::Adaptive_normal_embedding`, where no scale is known,
-                          `Anisotropic_hde_remeshing::Scalar_field_embedding`, where a field is to be resolved}
+    \cgalParamDescription{the embedding in which the mesh becomes uniform and isotropic, in place of the paper's. It excludes
+                          `sigma` and `relative_sigma`. `Anisotropic_hde_remeshing::Curvature_metric` is for a small distance to
+                          the surface, `Anisotropic_hde_remeshing::Adaptive_normal_embedding` is for meshes of which no scale is
+                          known, `Anisotropic_hde_remeshing::Scalar_field_embedding` is for a field that is to be resolved.}
     \cgalParamType{a model of `RemeshingEmbedding`}
-    \cgalParamDefault{`Anisotropic_hde_remeshing::Normal_embedding` with \f$ \sigma \f$; with an approximation error, unless sigma is
-                      given, `Anisotropic_hde_remeshing::Curvature_metric` with \f$ p = \infty \f$}
+    \cgalParamDefault{`Anisotropic_hde_remeshing::Normal_embedding` with \f$ \sigma \f$. If an approximation error is given and
+                      sigma is not: `Anisotropic_hde_remeshing::Curvature_metric` with \f$ p = \infty \f$}
   \cgalParamNEnd
   \cgalParamNBegin{target_edge_length}
     \cgalParamDescription{the length that the edges shall have in \f$ R^6 \f$, in the unit of the mesh}
@@ -244,12 +249,12 @@ descriptors; if none are given, all elements are replaced: descriptors become in
     \cgalParamDefault{as many as it had}
   \cgalParamNEnd
   \cgalParamNBegin{approximation_error}
-    \cgalParamDescription{the largest distance that the faces shall have from the surface, in the unit of the mesh: the mesh gets
-                          about as few faces as it takes, and at most `number_of_target_faces`, if that is given, too. In the end
-                          the distance is measured at the points of a grid on every face, bounded in between by second
-                          differences (see `Anisotropic_hde_remeshing::Remeshing_result::approximation_error`), and faces are
-                          split until the bound holds or they are hopelessly small. Faces at boundary and constrained curves may
-                          be as much further away as these are. Excludes a target length.}
+    \cgalParamDescription{the largest distance that the faces shall have from the surface, in the unit of the mesh. The mesh
+                          gets about as few faces as this takes. It gets at most `number_of_target_faces` if that is given, too.
+                          In the end the distance is measured at the points of a grid on every face. Between the points, second
+                          differences bound it (see `Anisotropic_hde_remeshing::Remeshing_result::approximation_error`). Faces
+                          are split until the bound holds or they are hopelessly small. Faces at boundary and constrained curves
+                          may be further away, by as much as these curves are away from the surface. Excludes a target length.}
     \cgalParamType{a number, positive}
     \cgalParamDefault{none}
   \cgalParamNEnd
@@ -259,15 +264,16 @@ descriptors; if none are given, all elements are replaced: descriptors become in
     \cgalParamDefault{none}
   \cgalParamNEnd
   \cgalParamNBegin{fit_to_surface}
-    \cgalParamDescription{whether the vertices leave the surface in the end, along their normals, to where the integral of the
-                          squared distance between faces and surface is least: about a quarter of the root mean square where
-                          the surface is curved to one side. Vertices of curves and fixed ones stay.}
+    \cgalParamDescription{whether the vertices leave the surface in the end, along their normals. They go where the integral of
+                          the squared distance between faces and surface is least. Where the surface is curved to one side, the
+                          root mean square of the distance falls to about a quarter. Vertices of curves and fixed vertices
+                          stay.}
     \cgalParamType{bool}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_iterations}
-    \cgalParamDescription{how often the sequence of operations is done; 0 only projects the vertices, and measures the
-                          error, if one is asked for, without refining}
+    \cgalParamDescription{how often the sequence of operations is done. With 0, the vertices are only projected. If an error is
+                          asked for, it is measured then, but the mesh is not refined.}
     \cgalParamType{an integer from 0 to 1,000,000}
     \cgalParamDefault{10}
   \cgalParamNEnd
@@ -297,8 +303,8 @@ descriptors; if none are given, all elements are replaced: descriptors become in
     \cgalParamDefault{1; 0.3 in the scheme of the paper}
   \cgalParamNEnd
   \cgalParamNBegin{edge_is_constrained_map}
-    \cgalParamDescription{the edges that the result must have, as they are or subdivided or joined along their polylines; it is
-                          set for the edges of the result}
+    \cgalParamDescription{the edges that the result must have. They stay as they are, or are subdivided or joined along their
+                          polylines. The map is set for the edges of the result.}
     \cgalParamType{a model of `ReadWritePropertyMap` with the edges of `tmesh` as keys and `bool` as values}
     \cgalParamDefault{no edge is constrained}
   \cgalParamNEnd
@@ -308,9 +314,9 @@ descriptors; if none are given, all elements are replaced: descriptors become in
     \cgalParamDefault{no vertex is constrained}
   \cgalParamNEnd
   \cgalParamNBegin{face_patch_map}
-    \cgalParamDescription{the patches of the faces, which the result keeps: edges between two patches are constrained. With a
-                          piecewise function they are the numbers of the pieces, and edges between two of them are creases. It
-                          is set for the faces of the result.}
+    \cgalParamDescription{the patches of the faces. The result keeps them: edges between two patches are constrained. With a
+                          piecewise function, the patches are the numbers of the pieces, and edges between two pieces are
+                          creases. The map is set for the faces of the result.}
     \cgalParamType{a model of `ReadWritePropertyMap` with the faces of `tmesh` as keys and any values that can be compared by
                    `==`; with a piecewise function, values that are convertible to `std::size_t`, too}
     \cgalParamDefault{all faces are in one patch; a piecewise function needs it}
@@ -321,15 +327,15 @@ descriptors; if none are given, all elements are replaced: descriptors become in
     \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{do_self_intersection_tests}
-    \cgalParamDescription{whether every operation is refused that would let a face intersect another one, of all faces of `tmesh`,
-                          unless one of the faces in its place did so already: the result has no self-intersection that the input
-                          did not have, up to the rounding of the points where these are not of `double`. The operations take
-                          up to about five times as long.}
+    \cgalParamDescription{whether operations are refused that would let a face intersect any other face of `tmesh`. An operation
+                          is not refused if one of the faces that it replaces did so already. So the result
+                          has no self-intersection that the input did not have, up to the rounding of the points where these are
+                          not of `double`. The operations take up to about five times as long.}
     \cgalParamType{bool}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_location_map}
-    \cgalParamDescription{is told for every vertex of the result the closest point of the input; see
+    \cgalParamDescription{is set to the closest point of the input for every vertex of the result; see
                           `Anisotropic_hde_remeshing::transfer_vertex_property()`}
     \cgalParamType{a model of `WritablePropertyMap` with the vertices of `tmesh` as keys and
                    `Anisotropic_hde_remeshing::Input_location` as values}
@@ -350,7 +356,7 @@ descriptors; if none are given, all elements are replaced: descriptors become in
 
 \throw std::invalid_argument if `tmesh` has no faces, a face that is not a triangle, a vertex that is not manifold, or
        coordinates that are not finite, if `function` is piecewise and the patch of a face is not the number of a piece, or if a
-       parameter is out of its range; the message names it and its value
+       parameter is out of its range; the message names the parameter and its value
 \throw std::length_error if the indices have no room: for more than \f$ 2^{32} - 2 \f$ halfedges, those of the boundary
        included, and with `fit_to_surface` for more than 238,609,294 faces
 
@@ -369,23 +375,22 @@ Anisotropic_hde_remeshing::Remeshing_result anisotropic_hde_remeshing(TriangleMe
 /*!
 \ingroup PkgAnisotropicHdeRemeshingRef
 
-the same on the smooth surface that `Rbf_implicit_function` lays through the vertices of the mesh. Its named parameters may be
-given, too: `number_of_patches`, `patch_overlap`, `offset_distance`, `vertex_normal_map`, and `radial_function`, whose type
-selects the kernel.
+the same on the smooth surface that `Rbf_implicit_function` lays through the vertices of the mesh. The named parameters of
+`Rbf_implicit_function` may be given, too: `number_of_patches`, `patch_overlap`, `offset_distance`, `vertex_normal_map` and
+`radial_function`. The type of `radial_function` selects the kernel.
 
-With `sharp_angle`, the surface is smooth between its creases only. They are found by
-`Anisotropic_hde_remeshing::detect_surface_regions()`, and the surface is that of `Piecewise_rbf_implicit_function`, which does
-not use `vertex_normal_map`.
+With `sharp_angle`, the surface is smooth between its creases only. `Anisotropic_hde_remeshing::detect_surface_regions()` finds
+the creases. The surface is that of `Piecewise_rbf_implicit_function`, and `vertex_normal_map` is not used.
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{sharp_angle}
-    \cgalParamDescription{the least angle between the normals of two faces, in degrees, at which their edge is a crease; noise
-                          is dropped. The edges of `edge_is_constrained_map` and those between two patches of `face_patch_map`
-                          are creases, too, whatever their angle; in the end, the first map is set for the edges on all creases,
-                          the second one keeps the patches. With `protect_constraints` the creases are marked, too. Where only
-                          some faces are remeshed, these are the creases inside them. For machine parts 20 to 40 are good.
-                          (CGAL's parameter `sharpness_angle` is another one: the width, 0 to 90 degrees, of a weight for the
-                          normals of neighbouring points.)}
+    \cgalParamDescription{the least angle between the normals of two faces, in degrees, at which their edge is a crease. Noise
+                          is dropped. The edges of `edge_is_constrained_map` and the edges between two patches of
+                          `face_patch_map` are creases, too, whatever their angle. In the end, `edge_is_constrained_map` is set
+                          for the edges on all creases, and `face_patch_map` keeps the patches. With `protect_constraints` the
+                          creases are marked, too. If only some faces are remeshed, only the creases inside them are marked. For
+                          machine parts 20 to 40 are good. (CGAL's parameter `sharpness_angle` is another one: the width, 0 to
+                          90 degrees, of a weight for the normals of neighbouring points.)}
     \cgalParamType{a number of more than 0 and less than 180}
     \cgalParamDefault{the surface is smooth everywhere}
   \cgalParamNEnd
@@ -415,11 +420,11 @@ Anisotropic_hde_remeshing::Remeshing_result anisotropic_hde_remeshing(TriangleMe
 /*!
 \ingroup PkgAnisotropicHdeRemeshingRef
 
-remeshes some faces of a mesh only. All else is untouched and keeps its descriptors, the edges where it meets these faces, too.
+remeshes some faces of a mesh only. All else is untouched and keeps its descriptors. So do the edges where it meets these faces.
 `number_of_target_faces` counts the faces of the range; relative lengths refer to the whole mesh.
 
-\tparam FaceRange a range of `boost::graph_traits<TriangleMesh>::%face_descriptor`: what has a begin and an end, such as a
-        container, `CGAL::Iterator_range`, or a span or view of C++20
+\tparam FaceRange a range of `boost::graph_traits<TriangleMesh>::%face_descriptor`: anything that has a begin and an end, such
+        as a container, `CGAL::Iterator_range`, or a span or view of C++20
 */
 template <typename ConcurrencyTag = Sequential_tag, typename FaceRange, typename TriangleMesh, typename Function,
           typename NamedParameters = parameters::Default_named_parameters,
@@ -435,8 +440,8 @@ Anisotropic_hde_remeshing::Remeshing_result anisotropic_hde_remeshing(const Face
 /*!
 \ingroup PkgAnisotropicHdeRemeshingRef
 
-remeshes some faces of a mesh only, on the smooth surface that `Rbf_implicit_function` lays through the vertices of all of it,
-or, with `sharp_angle`, on that of `Piecewise_rbf_implicit_function` for the regions of all of it.
+remeshes some faces of a mesh only, on the smooth surface that `Rbf_implicit_function` lays through the vertices of the whole
+mesh. With `sharp_angle`, the surface is that of `Piecewise_rbf_implicit_function` for the regions of the whole mesh.
 */
 template <typename ConcurrencyTag = Sequential_tag, typename FaceRange, typename TriangleMesh, typename T, typename Tag,
           typename Base, typename = std::enable_if_t<Anisotropic_hde_remeshing::internal::is_face_range<FaceRange>>>

@@ -17,7 +17,8 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// The caller's visitor without its type. This class tells the visitor; `Interruption` asks it.
+// The caller's visitor without its type. This class tells the visitor what happens. `Interruption` asks the visitor whether to
+// go on.
 class Visitor_reference
 {
 public:

@@ -151,7 +151,7 @@ public:
     return vertex.is_on_crease ? side(m_sides[v], region(h)) : vertex;
   }
 
-  // the sides of a vertex on a crease, by increasing region; the first one is also `point(v)`
+  // the sides of a vertex on a crease, by increasing region; `point(v)` is the same as the vertex of the first one
   const Sides& sides(const Vertex_index v) const { return m_sides[v]; }
   Sides& sides(const Vertex_index v) { return m_sides[v]; }
 

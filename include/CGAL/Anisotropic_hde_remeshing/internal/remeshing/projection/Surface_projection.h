@@ -205,7 +205,7 @@ private:
         return is_found;
       if (std::abs(signed_distance) <= best_distance)
       {
-        // An exact projection takes the point that was evaluated, not the one after the next step. So near to the zero set, the
+        // An exact projection takes the point that was evaluated, not the one after the next step: so near to the zero set, the
         // function need not be better than its own noise.
         state.point = is_exact ? p : next;
         state.normal = m_orientations[region] * normal;
