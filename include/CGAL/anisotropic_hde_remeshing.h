@@ -175,8 +175,7 @@ surface. The edges between two regions are the creases. They are kept:
 - New and moved vertices of a crease are on the polyline of the input. There is one exception: places where the polyline goes
   along an arc, evenly and in steps of less than 6 degrees, and the zero sets of both regions meet at more than 15 degrees.
   There these vertices are put where the zero sets meet. They leave the polyline by at most twice the height of the arc over it,
-  and at most
-  5e-4 of the diagonal of the bounding box.
+  and at most 5e-4 of the diagonal of the bounding box.
 - Corners do not move. They are the ends, branchings and turns mentioned above.
 - If there are creases, the edges on curves follow these curves closely. An edge stands for a part of a curve. No point of this
   part is further than 5e-5 of the diagonal of the bounding box from the straight way between the ends of the part.

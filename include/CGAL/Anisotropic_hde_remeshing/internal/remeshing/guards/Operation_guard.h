@@ -23,8 +23,8 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// What is asked of every operation. The change alone tells it. No face may be folded or flattened, and none may fold over an
-// edge. If that is asked for, no face may be too far from the surface, or intersect another one.
+// What is asked of every operation. The guard judges by the change alone. No face may be folded or flattened, and none may fold
+// over an edge. If it is asked for, no face may be too far from the surface, or intersect another one.
 template <typename Mesh, typename Function, typename Intersections>
 class Operation_guard
 {

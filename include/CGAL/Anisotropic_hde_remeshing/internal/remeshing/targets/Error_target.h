@@ -39,8 +39,9 @@ class Error_target
   // While the mesh is remeshed, all faces but this share are to stay below the error. The rest is refined in the end.
   static constexpr double share_refined_in_the_end = 0.04;
   static constexpr double largest_factor = 2;
-  // The size of a small face, twice its longest edge over the error. If the distance of a small face still exceeds the error,
-  // the face does not lie along the surface that the function has: to split it does not help.
+  // A face is small up to this size: the sum of two of its edges, about twice its longest edge, over the error. If the distance
+  // of a small face still exceeds the error, the face does not lie along the surface that the function has: to split it does
+  // not help.
   static constexpr double smallest_face = 4;
 
 public:

@@ -35,9 +35,9 @@ namespace internal {
 template <typename Embedding>
 constexpr bool is_metric = std::is_base_of<Metric_tensor, typename Embedding::Vertex_data>::value;
 
-// Gives every vertex the metric of the curvature around it. On a crease every side of the vertex gets one. Bounds the lengths
-// that edges can have by the metric. Limits how fast the metric changes: Alauzet, Size gradation control of anisotropic meshes,
-// Finite Elements in Analysis and Design 46, 2010. What a vertex gets does not depend on the order of the vertices.
+// Gives every vertex the metric of the curvature around it. On a crease every side of the vertex gets one. Bounds the edge
+// lengths that follow from the metric. Limits how fast the metric changes: Alauzet, Size gradation control of anisotropic
+// meshes, Finite Elements in Analysis and Design 46, 2010. What a vertex gets does not depend on the order of the vertices.
 template <typename ConcurrencyTag, typename Mesh, typename Metric>
 class Metric_updater
 {
