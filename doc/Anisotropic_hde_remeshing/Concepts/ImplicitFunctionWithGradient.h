@@ -13,19 +13,18 @@
 The concept `ImplicitFunctionWithGradient` describes a function \f$ f : R^3 \rightarrow R \f$ with its gradient. The surface
 is the zero set of \f$ f \f$.
 
-<b>Sign and orientation.</b> \f$ f \f$ is negative inside and positive outside, so that its gradient points outward on the
-surface; for a surface with boundary, outside is the side that the faces of the mesh look to. (The remeshing alone also takes
-the opposite sign: it compares the gradient with the orientation of the mesh and turns normals over for all vertices or for
-none.)
+<b>Sign and orientation.</b> \f$ f \f$ is negative inside and positive outside, so its gradient points outward on the surface.
+For a surface with boundary, outside is the side that the faces of the mesh look to. (The remeshing alone also takes the
+opposite sign. It compares the gradient with the orientation of the mesh and turns over the normals of all vertices or of none.)
 
-<b>Units.</b> The gradient is the derivative of the value by the coordinates, in the same unit: \f$ f(x + h) = f(x) + \nabla
-f(x) \cdot h + o(|h|) \f$. The value need not be a distance and the gradient need not have length one. The remeshing uses
-\f$ f / |\nabla f| \f$ as distance to the surface and \f$ \nabla f / |\nabla f| \f$ as normal, which do not change if
-\f$ f \f$ is multiplied by a positive number.
+<b>Units.</b> The gradient is the derivative of the value by the coordinates, in the same unit:
+\f$ f(x + h) = f(x) + \nabla f(x) \cdot h + o(|h|) \f$. The value need not be a distance, and the gradient need not have length
+one. The remeshing uses \f$ f / |\nabla f| \f$ as distance to the surface and \f$ \nabla f / |\nabla f| \f$ as normal. These do
+not change if \f$ f \f$ is multiplied by a positive number.
 
-<b>Smoothness.</b> In the neighbourhood of the surface that contains the mesh, \f$ f \f$ is continuously differentiable and
-its gradient does not vanish. Where a value is not finite, the gradient vanishes or no zero is found near a point, the
-remeshing takes the closest point of the input mesh with its interpolated normal, and counts it in
+<b>Smoothness.</b> In the neighbourhood of the surface that contains the mesh, \f$ f \f$ is continuously differentiable and its
+gradient does not vanish. The remeshing takes the closest point of the input mesh with its interpolated normal where a value is
+not finite, where the gradient vanishes, or where no zero is found near a point. It counts these points in
 `CGAL::Anisotropic_hde_remeshing::Projection_counters`.
 
 <b>Thread safety.</b> All members below may be called from several threads at once on one object, unless the algorithm runs
@@ -80,7 +79,7 @@ public:
   /// \name Optional Operations
   /// @{
 
-  /// `operator()(p)` and `gradient(p)` in one call. Where a model has this member, the remeshing calls it alone.
+  /// `operator()(p)` and `gradient(p)` in one call. If a model has this member, the remeshing calls no other one.
   std::pair<FT, Vector_3> value_and_gradient(Point_3 p) const;
 
   /// a sphere that contains the surface, or the part of it that is of interest. `CGAL::anisotropic_hde_remeshing()` does not

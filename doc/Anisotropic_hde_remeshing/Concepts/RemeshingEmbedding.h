@@ -10,13 +10,13 @@
 \ingroup PkgAnisotropicHdeRemeshingConcepts
 \cgalConcept
 
-The concept `RemeshingEmbedding` describes in what `CGAL::anisotropic_hde_remeshing()` makes a mesh uniform and isotropic: a map of
-the surface into a space of more dimensions, or a Riemannian metric on it. All operations measure lengths by it, and angles and
-areas by the lengths of three sides.
+The concept `RemeshingEmbedding` describes the space in which `CGAL::anisotropic_hde_remeshing()` makes a mesh uniform and
+isotropic. This is a map of the surface into a space of more dimensions, or a Riemannian metric on the surface. All operations
+measure lengths by it. They measure angles and areas by the lengths of three sides.
 
-A `Vertex` below is a type of the package with the members `Eigen::Vector3d point` and `Eigen::Vector3d normal`, a unit vector, that
-is derived from `Vertex_data`. Points are in a unit of the remesher's own: a power of two for which the diagonal of the bounding box
-of the mesh is less than one and no less than a half. Const members are called concurrently.
+A `Vertex` below is a type of the package that is derived from `Vertex_data`. It has the members `Eigen::Vector3d point` and
+`Eigen::Vector3d normal`, a unit vector. Points are in a unit of the remesher's own: a power of two for which the diagonal of
+the bounding box of the mesh is less than one and no less than a half. Const members are called concurrently.
 
 \cgalRefines{CopyConstructible}
 
@@ -34,14 +34,14 @@ public:
   /// the same embedding for points that are divided by `unit`
   RemeshingEmbedding in_unit(double unit) const;
 
-  /// by what the lengths in the embedding are divided if the points are divided by `unit`
+  /// the number by which the lengths in the embedding are divided if the points are divided by `unit`
   double unit_of_lengths(double unit) const;
 
-  /// gives a vertex with a new point and normal its data
+  /// computes the data of a vertex with a new point and normal
   template <typename Vertex>
   void place(Vertex& vertex) const;
 
-  /// the same for a vertex between two others, which have theirs
+  /// the same for a vertex between two others that have their data
   template <typename Vertex>
   void place_between(const Vertex& a, const Vertex& b, Vertex& middle) const;
 
@@ -54,13 +54,13 @@ public:
   class Centroid
   {
   public:
-    /// about `center`, whose tangent plane has the axes `frame`; both outlive the object
+    /// about `center`; `frame` has the axes of its tangent plane. Both outlive the object.
     Centroid(const RemeshingEmbedding& embedding, const Vertex& center, const Eigen::Matrix<double, 3, 2>& frame);
 
-    /// a neighbour, at `edge` in the frame
+    /// adds a neighbour; `edge` is the vector to it in the frame
     void add_neighbor(const Eigen::Vector2d& edge, const Vertex& neighbor);
 
-    /// the face of `center`, `a` and `b`, with its area in the embedding
+    /// adds the face of `center`, `a` and `b`, with its area in the embedding
     void add_face(double area, const Vertex& a, const Vertex& b);
 
     /// the step in the frame to the centroid, given the shape operator of the surface in the frame

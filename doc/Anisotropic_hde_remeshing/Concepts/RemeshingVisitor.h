@@ -10,9 +10,10 @@
 \ingroup PkgAnisotropicHdeRemeshingConcepts
 \cgalConcept
 
-The concept `RemeshingVisitor` describes what `CGAL::anisotropic_hde_remeshing()` and the constructor of
-`CGAL::Rbf_implicit_function` tell and ask while they run. All calls come from the calling thread. A visitor is copied; copies
-must share what they remember. If a member throws, the mesh of the caller stays as it was, and the exception reaches the caller.
+The concept `RemeshingVisitor` describes an object that `CGAL::anisotropic_hde_remeshing()` and the constructor of
+`CGAL::Rbf_implicit_function` call while they run. They tell it how far they are and ask it whether to go on. All calls come
+from the calling thread. A visitor is copied; copies must share what they remember. If a member throws, the mesh of the caller
+stays as it was, and the exception reaches the caller.
 
 \cgalRefines{CopyConstructible}
 
@@ -25,10 +26,10 @@ public:
   /// called once when `stage` begins
   void stage_started(CGAL::Anisotropic_hde_remeshing::Stage stage);
 
-  /// called with the share of the remeshing that is done, from 0 to 1, which never decreases within a call
+  /// called with the share of the remeshing that is done, from 0 to 1. The share never decreases within a call.
   void progress(double share);
 
   /// asked between any two steps and every few milliseconds within them. If it returns `false`, the call returns soon, with a
-  /// valid mesh on the surface; before `Stage::REMESHING` the mesh is the one that was given.
+  /// valid mesh on the surface. Before `Stage::REMESHING` this is the mesh that was given.
   bool go_further();
 };
