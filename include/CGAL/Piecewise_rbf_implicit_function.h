@@ -50,25 +50,27 @@ namespace CGAL {
 /*!
 \ingroup PkgAnisotropicHdeRemeshingRef
 
-Signed functions, one for each region of a triangle mesh, whose zero sets together are a surface with sharp edges: each is smooth,
-and the edges are where two of them meet.
+Signed functions, one for each region of a triangle mesh. Their zero sets together are a surface with sharp edges: each zero set
+is smooth, and the edges are where two of them meet.
 
-The regions are those of `Anisotropic_hde_remeshing::detect_surface_regions()`, or any other parts of the mesh. A vertex at a crease
-belongs to all regions there, and has the normal of each. The function of a region is
-- the signed distance to a plane, if all points of the region are in one up to 5 millionths of the size of the mesh, which is the
-  rounding of files with six digits;
-- else an `Rbf_implicit_function` of the faces of the region; or, where their edges are much longer in one direction than in the
-  other, as those of a cylinder of two rows of vertices, of points with normals that are added on curves over the long edges;
-- for a region of less than 10 vertices, the signed distance to its facets. At their boundary it goes on along the tangent planes.
+The regions are those of `Anisotropic_hde_remeshing::detect_surface_regions()`, or any other parts of the mesh. A vertex at a
+crease belongs to all regions there, and has the normal of each. The function of a region is
+- the signed distance to a plane, if all points of the region are in one up to 5 millionths of the size of the mesh. That is the
+  rounding of files with six digits.
+- else an `Rbf_implicit_function` of the faces of the region. The edges of a region may be much longer in one direction than in
+  the other, as those of a cylinder of two rows of vertices. Its function is one of points with normals, and points are added on
+  curves over the long edges.
+- for a region of less than 10 vertices, the signed distance to its facets. At their boundary it goes on along the tangent
+  planes.
 
 All of them go on smoothly beyond the boundary of the region: planes without an end, facets along their tangents, fields for two
 and a half local spacings.
 
 Copies are cheap: they share the data, which never change. All members are thread-safe. The function does not depend on the
-number of threads that built it. Large regions are built one after another, each in parallel, and small ones in parallel with each
-other.
+number of threads that built it. Large regions are built one after another, each in parallel. Small regions are built in
+parallel with each other.
 
-The construction takes time linear in the number of points, an evaluation that of an `Rbf_implicit_function`.
+The construction takes time linear in the number of points. An evaluation takes the time of one of `Rbf_implicit_function`.
 
 \tparam GeomTraits a kernel; computations are in `double` whatever its number type
 \tparam RadialFunction a model of `RadialBasisFunction`, such as `Polyharmonic_rbf`
@@ -86,16 +88,16 @@ class Piecewise_rbf_implicit_function
   typedef Anisotropic_hde_remeshing::internal::Region_facets Region_facets;
   typedef Anisotropic_hde_remeshing::internal::Interruption Interruption;
 
-  // of the distances of points to the plane of their region, as a share of the size of the mesh
+  // the largest distance of points to the plane of their region, as a share of the size of the mesh
   static constexpr double planarity = 5e-6;
   // of a region with a field
   static constexpr std::size_t least_number_of_vertices = 10;
-  // of the distance of the zero set from the centroid of a facet, over its longest edge; an arc of 90 degrees has .2. And of the
-  // cosine between their normals: what is beyond misses the facet
+  // A field misses a facet if one of these is out of bounds: the distance of the zero set from the centroid of the facet, over
+  // the longest edge of the facet (an arc of 90 degrees has .2), and the cosine between the normals of both.
   static constexpr double largest_height = 0.2, least_cosine = 0.5;
-  // of the area of the facets that the field of a region misses
+  // the largest share of the area of a region that its field may miss
   static constexpr double largest_share_of_missed_facets = 0.02;
-  // of a region that is worth all threads
+  // a region of so many vertices is worth all threads
   static constexpr std::size_t large_number_of_vertices = 2000;
 
 public:
@@ -188,8 +190,8 @@ public:
 
   \param tmesh the mesh, whose isolated vertices are ignored
   \param face_region the regions of the faces, numbered from 0 on without a gap
-  \param np optional named parameters among the ones below, and those of the constructor of `Rbf_implicit_function` for a mesh but
-         for `vertex_normal_map`, which is not used: a vertex at a crease has several normals
+  \param np optional named parameters among the ones below, and those of the constructor of `Rbf_implicit_function` for a mesh.
+         Only `vertex_normal_map` is not used: a vertex at a crease has several normals.
 
   \cgalNamedParamsBegin
     \cgalParamNBegin{vertex_point_map}
@@ -197,7 +199,8 @@ public:
       \cgalParamDefault{`get_const_property_map(CGAL::vertex_point, tmesh)`}
     \cgalParamNEnd
     \cgalParamNBegin{number_of_patches}
-      \cgalParamDescription{of all regions together, which have it in proportion to their vertices, but at least one}
+      \cgalParamDescription{the number for all regions together. Each region has its share, in proportion to its vertices, but
+                            at least one.}
       \cgalParamDefault{one for 25 points}
     \cgalParamNEnd
     \cgalParamNBegin{visitor}
@@ -208,7 +211,7 @@ public:
   \cgalNamedParamsEnd
 
   \throw Anisotropic_hde_remeshing::Interrupted if the visitor stops the construction
-  \throw std::invalid_argument if there are no faces, a number below that of the regions has no face, a coordinate is not finite,
+  \throw std::invalid_argument if there are no faces, a region below the largest number has no face, a coordinate is not finite,
          or a parameter is out of its range; the message names it
   */
   template <typename TriangleMesh, typename FaceRegionMap, typename NamedParameters = parameters::Default_named_parameters>
@@ -222,7 +225,8 @@ public:
   /// the number of regions
   std::size_t number_of_pieces() const { return m_data->pieces.size(); }
 
-  /// the function of region `i`, less than `number_of_pieces()`. The reference is valid as long as a copy of this object is there.
+  /// the function of region `i`, less than `number_of_pieces()`. The reference is valid as long as a copy of this object
+  /// exists.
   const Piece& piece(const std::size_t i) const { return m_data->pieces[i]; }
 
   /// what the construction did
@@ -235,7 +239,7 @@ private:
     Anisotropic_hde_remeshing::Piecewise_rbf_diagnostics diagnostics;
   };
 
-  // whether the types of the arguments will do
+  // whether the types of the arguments are accepted
   template <typename TriangleMesh, typename FaceRegionMap, typename NamedParameters>
   static constexpr bool accepts()
   {
@@ -273,7 +277,8 @@ private:
     m_data = data;
   }
 
-  // Passes the question of a region, in whatever thread it is built, on to the visitor, which the thread of the caller alone may ask.
+  // The visitor of a region. Only the thread of the caller may ask the caller's visitor. In other threads, this one only tells
+  // whether the caller has asked to stop.
   class Visitor_of_region : public Anisotropic_hde_remeshing::Remeshing_visitor
   {
   public:
@@ -385,8 +390,9 @@ private:
     double missed = 0;
   };
 
-  // Of points between the vertices, too, if these are spread unevenly; if that field misses facets, of the vertices alone, whose
-  // patches are checked, and answered by the facets where they fail.
+  // If the vertices are spread unevenly, the field is one of points between them, too. If it misses facets, a field of the
+  // vertices alone is built as well. The patches of that field are checked, and the facets answer where a patch fails. The
+  // field that misses less is returned.
   template <typename NamedParameters>
   static Field_piece field_of(const Region_mesh& region, const NamedParameters& np)
   {
@@ -405,7 +411,7 @@ private:
     return points.empty() || of_vertices.missed < of_points.missed ? of_vertices : of_points;
   }
 
-  // by area: those at whose centroid the zero set is far away or turned
+  // the share of the area of the facets at whose centroid the zero set is far away or turned
   static double share_of_missed_facets(const Piece& piece, const Region_mesh& region)
   {
     double area = 0, missed = 0;

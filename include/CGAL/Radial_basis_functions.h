@@ -31,13 +31,13 @@ enum class Rbf_length_unit
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// the width or the support radius of a kernel, and what the patches make of it
+// the width or the support radius of a kernel, and the inverse of its square in the unit of a patch
 class Rbf_shape_parameter
 {
 public:
   double length() const { return m_length; }
 
-  // the length in the unit of a patch whose local spacing is `spacing` in the unit of the coordinates
+  // computes the parameter in the unit of a patch; `spacing` is the local spacing of the patch in the unit of the coordinates
   void set_unit(const double spacing)
   {
     m_inverse_square = 1. / (m_length * m_length);
@@ -59,7 +59,7 @@ private:
   double m_inverse_square;
 };
 
-// the same of a kernel that is zero beyond it
+// the same for a kernel that is zero beyond this length
 class Rbf_support : public Rbf_shape_parameter
 {
 public:
@@ -81,7 +81,7 @@ T positive_part(const T& x)
   return 0.5 * (x + abs(x));
 }
 
-// keeps a square root or a logarithm of r^2 finite at a centre, where its factors vanish
+// Keeps a square root or a logarithm of r^2 finite at a centre. The factors that it is multiplied by vanish there.
 constexpr double smallest_squared_radius = (std::numeric_limits<double>::min)();
 
 } // namespace internal
@@ -98,8 +98,8 @@ constexpr double smallest_squared_radius = (std::numeric_limits<double>::min)();
 
 The polyharmonic spline \f$ \phi(r) = r^3 \f$, conditionally positive definite of order 2.
 
-It has no shape parameter. The interpolant is twice continuously differentiable, and of the kernels of this package it is
-the one to take for scans: its error on a smooth surface decays with the third to fourth power of the spacing.
+It has no shape parameter. The interpolant is twice continuously differentiable. Of the kernels of this package, take this one
+for scans: its error on a smooth surface decays with the third to fourth power of the spacing.
 */
 struct Polyharmonic_rbf
 {
@@ -129,11 +129,11 @@ struct Polyharmonic_rbf
 /*!
 \ingroup PkgAnisotropicHdeRemeshingRef
 
-The thin plate spline \f$ \phi(r) = r^2 \log r \f$, conditionally positive definite of order 2; the kernel of the paper's
+The thin plate spline \f$ \phi(r) = r^2 \log r \f$, conditionally positive definite of order 2. It is the kernel of the paper's
 examples.
 
-It has no shape parameter. The interpolant is continuously differentiable, and its second derivatives have logarithmic poles
-at the centres.
+It has no shape parameter. The interpolant is continuously differentiable. Its second derivatives have logarithmic poles at the
+centres.
 */
 struct Thin_plate_rbf
 {
@@ -164,7 +164,7 @@ struct Thin_plate_rbf
 
 The Gaussian \f$ \phi(r) = e^{-(r/w)^2} \f$ with the width \f$ w \f$, positive definite.
 
-For well-spaced points only: on scans it oscillates between them.
+Use it for well-spaced points only: on scans it oscillates between them.
 */
 class Gaussian_rbf : public Anisotropic_hde_remeshing::internal::Rbf_shape_parameter
 {
@@ -279,7 +279,7 @@ public:
 Wendland's function \f$ \phi(r) = (1 - t)_+^4 (4t + 1), t = r/R \f$, positive definite, twice continuously differentiable and
 zero beyond the support radius \f$ R \f$.
 
-A small support makes the system of a patch sparse. It is solved by sparse Cholesky factorisation then, and large patches are
+A small support makes the system of a patch sparse. Sparse Cholesky factorisation then solves it, and large patches are
 affordable, up to a single one (`number_of_patches(1)`).
 */
 class Wendland_C2_rbf : public Anisotropic_hde_remeshing::internal::Rbf_support

@@ -46,37 +46,38 @@ namespace CGAL {
 /*!
 \ingroup PkgAnisotropicHdeRemeshingRef
 
-The signed function whose zero set is a smooth surface through the points of a triangle mesh, or through points with normals,
-by radial basis functions. It is negative inside and grows outward; near the surface it is close to the signed distance.
+A signed function by radial basis functions. Its zero set is a smooth surface through the vertices of a triangle mesh, or
+through points with normals. The function is negative inside and grows outward. Near the surface it is close to the signed
+distance.
 
 The points are distributed over patches that overlap. Each patch interpolates the value 0 at its points and the value
-\f$ \varepsilon_i \f$ at the off-surface points \f$ x_i + \varepsilon_i n_i \f$; the patches are solved in parallel and blended
-into one function, twice continuously differentiable with `Polyharmonic_rbf`, by smooth weights that sum to one.
+\f$ \varepsilon_i \f$ at the off-surface points \f$ x_i + \varepsilon_i n_i \f$. The patches are solved in parallel. Smooth
+weights that sum to one blend them into one function. It is twice continuously differentiable with `Polyharmonic_rbf`.
 
 <b>Near and far.</b> From 2.5 to 3.5 local spacings away from the points the function passes to the signed distance to the input
 itself: to the facets of a mesh, or to the tangent planes of the nearest points. Interpolants would only extrapolate there, and
-might vanish where there is no surface. Hence the sign is right everywhere for a closed mesh that does not intersect itself, and
-mesh generators of CGAL can be let loose on it. The far part is continuous where the distance is; its gradient is not continuous
-at points that are equally far from two parts of the surface, and its Hessian is not that of a distance but zero.
+might vanish where there is no surface. So the sign is right everywhere for a closed mesh that does not intersect itself, and
+mesh generators of CGAL can use the function. The far part is continuous where the distance is. Its gradient is not continuous
+at points that are equally far from two parts of the surface. Its Hessian is zero, not that of a distance.
 
-<b>Self-check.</b> After a patch is solved, the sign of its function is checked around its facets (around its points, if the input
-is a range) at a quarter to twice the local spacing, the gradient and the distance of the zero set at them. A patch that
-fails is solved with smaller offsets, with a wider view, and with a little smoothing, until it passes. Where a patch fails in more
-than a twentieth of its checks all the same, which happens where sampling is too coarse for the shape, the function is the signed
-distance to the input there, with a gradient along its interpolated normals, blended with the neighbouring patches.
-`diagnostics()` counts these patches.
+<b>Self-check.</b> After a patch is solved, its function is checked around its facets, or around its points if the input is a
+range. The sign is checked at a quarter to twice the local spacing, the gradient and the distance of the zero set at the facets
+or points. A patch that fails is solved with smaller offsets, with a wider view, and with a little smoothing, until it passes. A
+patch may still fail in more than a twentieth of its checks, where sampling is too coarse for the shape. There the function is
+the signed distance to the input, with a gradient along the interpolated normals of the input, blended with the neighbouring
+patches. `diagnostics()` counts these patches.
 
 Copies are cheap: they share the data, which never change. All members are thread-safe. The function does not depend on the
 number of threads that built it.
 
-The construction takes time linear in the number of points (cubic in the number of points of a patch), an evaluation a time
-that does not depend on the number of points but for the depth of the tree of patches.
+The construction takes time linear in the number of points, and cubic in the number of points of a patch. The time of an
+evaluation depends on the number of points only by the depth of the tree of patches.
 
 \tparam GeomTraits a kernel; computations are in `double` whatever its number type
 \tparam RadialFunction a model of `RadialBasisFunction`, such as `Polyharmonic_rbf`
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
 
-\cgalModels `ImplicitFunctionWithGradient`, hence `ImplicitFunction`
+\cgalModels `ImplicitFunctionWithGradient`, and with it `ImplicitFunction`
 */
 template <typename GeomTraits, typename RadialFunction = Polyharmonic_rbf, typename ConcurrencyTag = Parallel_if_available_tag>
 class Rbf_implicit_function
@@ -126,8 +127,8 @@ public:
       \cgalParamDefault{`Second_of_pair_property_map`}
     \cgalParamNEnd
     \cgalParamNBegin{number_of_patches}
-      \cgalParamDescription{the paper's K; patches that uneven sampling makes too large are split further, and so are those
-                            of more than 3,000 points unless the kernel has compact support}
+      \cgalParamDescription{the paper's K. Patches are split further if uneven sampling makes them too large, or if they have
+                            more than 3,000 points and the kernel has no compact support.}
       \cgalParamDefault{one for 25 points}
     \cgalParamNEnd
     \cgalParamNBegin{patch_overlap}
@@ -141,20 +142,20 @@ public:
       \cgalParamExtra{An offset is halved while the off-surface point is nearer to another point of the surface than to its own.}
     \cgalParamNEnd
     \cgalParamNBegin{relative_offset_distance}
-      \cgalParamDescription{\f$ \varepsilon_i \f$ in units of the local distance between points; more than 1 raises sheets that the
-                            surface does not have}
+      \cgalParamDescription{\f$ \varepsilon_i \f$ in units of the local distance between points. More than 1 makes sheets that
+                            the surface does not have.}
       \cgalParamDefault{0.05}
     \cgalParamNEnd
     \cgalParamNBegin{two_sided_offsets}
-      \cgalParamDescription{whether to interpolate \f$ -\varepsilon_i \f$ at \f$ x_i - \varepsilon_i n_i \f$, too. It takes three times
-                            longer, and is of use with offsets of the size of the local distance between points.}
+      \cgalParamDescription{whether to interpolate \f$ -\varepsilon_i \f$ at \f$ x_i - \varepsilon_i n_i \f$, too. It takes
+                            three times longer. It is of use with offsets of the size of the local distance between points.}
       \cgalParamType{Boolean}
       \cgalParamDefault{`false`}
     \cgalParamNEnd
     \cgalParamNBegin{smoothing}
-      \cgalParamDescription{the ridge added to the diagonal of the interpolation matrices, in which the local distance between points
-                            is 1. It lets the function miss the data so as to be smoother, against noise in points and normals; 0
-                            interpolates. `Rbf_diagnostics::worst_value_residual` tells by how much it misses.}
+      \cgalParamDescription{the ridge added to the diagonal of the interpolation matrices, in which the local distance between
+                            points is 1. It lets the function miss the data so as to be smoother, against noise in points and
+                            normals. 0 interpolates. `Rbf_diagnostics::worst_value_residual` tells by how much it misses.}
       \cgalParamDefault{0}
     \cgalParamNEnd
     \cgalParamNBegin{radial_function}
@@ -202,9 +203,10 @@ public:
   Eigen::Matrix3d hessian(const Point_3& p) const { return evaluate<2>(p).hessian * m_normalization.scale; }
 
   /*!
-  the shape operator at `p` of the level set through it, \f$ S = T H T / |\nabla f| \f$ with the Hessian \f$ H \f$, the unit normal
-  \f$ n \f$ and \f$ T = I - n n^T \f$. It is symmetric and has \f$ n \f$ in its kernel; its other eigenvalues are the principal
-  curvatures, positive where the surface curves away from the normal, as a sphere does. Zero where the gradient vanishes.
+  the shape operator at `p` of the level set through it, \f$ S = T H T / |\nabla f| \f$ with the Hessian \f$ H \f$, the unit
+  normal \f$ n \f$ and \f$ T = I - n n^T \f$. It is symmetric and has \f$ n \f$ in its kernel. Its other eigenvalues are the
+  principal curvatures. They are positive where the surface curves away from the normal, as a sphere does. The operator is zero
+  where the gradient vanishes.
   */
   Eigen::Matrix3d shape_operator(const Point_3& p) const
   {
@@ -218,8 +220,8 @@ public:
     return Anisotropic_hde_remeshing::internal::principal_curvatures<Geom_traits>(evaluate<2>(p), m_normalization.scale);
   }
 
-  /// the number of the patch in whose cell `p` lies, below `Rbf_diagnostics::number_of_patches`: there this patch counts by itself,
-  /// or, near the planes between cells, is blended with its neighbours
+  /// the number of the patch in whose cell `p` lies, below `Rbf_diagnostics::number_of_patches`. The function at `p` is that of
+  /// this patch. Near the planes between cells it is blended with the neighbouring patches.
   std::size_t patch(const Point_3& p) const
   {
     const Eigen::Vector3d point = Anisotropic_hde_remeshing::internal::to_vector(p);
@@ -238,9 +240,9 @@ public:
   const Anisotropic_hde_remeshing::Rbf_diagnostics& diagnostics() const { return *m_diagnostics; }
 
 private:
-  static constexpr double reach = 1e6; // of the interpolant, in the size of the points
+  static constexpr double reach = 1e6; // the interpolant is evaluated up to here, in the size of the points
 
-  // whether the input and the types of the parameters will do
+  // whether the input and the types of the parameters are accepted
   template <typename MeshOrPointRange, typename NamedParameters>
   static constexpr bool accepts()
   {
@@ -363,7 +365,7 @@ private:
                                                                               normal_map<PointRange>(np), interruption);
   }
 
-  // the defaults are instantiated only where they are used: they ask for pairs
+  // The defaults ask for pairs, so they are instantiated only where they are used.
   template <typename PointRange, typename NamedParameters>
   static auto point_map(const NamedParameters& np)
   {

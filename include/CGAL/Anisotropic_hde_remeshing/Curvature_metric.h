@@ -26,19 +26,19 @@ namespace Anisotropic_hde_remeshing {
 /*!
 \ingroup PkgAnisotropicHdeRemeshingRef
 
-how far a metric that follows from the curvature may go
+the bounds of a metric that follows from the curvature
 */
 struct Metric_bounds
 {
   double shortest_edge = 1e-4; ///< no edge needs to be shorter, as a share of the diagonal of the bounding box of the mesh
-  double longest_edge = 0.25;  ///< no edge shall be longer, likewise
+  double longest_edge = 0.25;  ///< no edge shall be longer, as a share of the same diagonal
   double turn = 0.8;           ///< the normal turns by no more than this along an edge, in radians
-  double gradation = 1.5;      ///< by what factor the lengths that the metric asks of neighbouring edges may differ, above 1
+  double gradation = 1.5;      ///< largest ratio of the lengths that the metric asks of neighbouring edges, above 1
 };
 
 namespace internal {
 
-// What the embeddings by a metric have in common; `Metric` has the metric of the plane that belongs to a shape operator.
+// What the embeddings by a metric have in common. `Metric` computes the metric of the tangent plane from a shape operator.
 template <typename Metric>
 class Metric_embedding
 {
@@ -63,7 +63,7 @@ public:
   double turn() const { return m_bounds.turn; }
   double gradation() const { return m_bounds.gradation; }
 
-  // the metric follows from the curvature around vertices only once they have neighbours
+  // The metric follows from the curvature around a vertex, which is known only once it has neighbours.
   void place(Vertex_data&) const {}
 
   template <typename Vertex>
@@ -79,7 +79,7 @@ public:
     return Metric_tensor::mean(a, b).squared_length(b.point - a.point);
   }
 
-  // in space: the centroid of a triangle is the same in all metrics that are constant
+  // computed in space: the centroid of a triangle is the same in all constant metrics
   template <typename Vertex>
   class Centroid
   {
@@ -91,7 +91,7 @@ public:
 
     void add_neighbor(const Eigen::Vector2d&, const Vertex&) {}
 
-    // large faces weigh more than by their areas, which keeps the largest, and so the largest distances, smaller
+    // Large faces weigh more than by their areas. This makes the largest faces smaller, and with them the largest distances.
     void add_face(const double area, const Vertex& a, const Vertex& b)
     {
       const double weight = area * std::sqrt(area);
@@ -117,20 +117,21 @@ private:
 /*!
 \ingroup PkgAnisotropicHdeRemeshingRef
 
-The metric in which a uniform mesh with vertices on the surface has the least distance from it in the \f$ L^p \f$ norm, for its
-number of faces: \f$ M_p = \det |S|^{-1/(2p+2)} |S| \f$ with the absolute value \f$ |S| \f$ of the shape operator (Cao,
-On the error of linear interpolation and the orientation, aspect ratio, and internal angles of a triangle, SIAM J. Numer. Anal.
-43, 2005; Loseille and Alauzet, Continuous mesh framework, SIAM J. Numer. Anal. 49, 2011). For \f$ p = \infty \f$, \f$ |S| \f$
-itself, edges of length \f$ \sqrt{6 \varepsilon} \f$ make the largest distance about \f$ \varepsilon \f$ where the surface
-is curved to one side.
+The metric of the least distance between a mesh and a surface in the \f$ L^p \f$ norm. Among the meshes with vertices on the
+surface and the same number of faces, a mesh that is uniform in this metric has the least distance. The metric is
+\f$ M_p = \det |S|^{-1/(2p+2)} |S| \f$ with the absolute value \f$ |S| \f$ of the shape operator (Cao, On the error of linear
+interpolation and the orientation, aspect ratio, and internal angles of a triangle, SIAM J. Numer. Anal. 43, 2005; Loseille and
+Alauzet, Continuous mesh framework, SIAM J. Numer. Anal. 49, 2011). For \f$ p = \infty \f$ it is \f$ |S| \f$ itself. Edges of
+length \f$ \sqrt{6 \varepsilon} \f$ then make the largest distance about \f$ \varepsilon \f$ where the surface is curved to one
+side.
 
-The metric is weighted by the distance that a triangle which is equilateral in \f$ |S| \f$ has from a surface with these curvatures
-and signs: less at saddles, where the same triangle is nearer, and where a curvature vanishes. Without it a mesh has more faces
-there than is best.
+The metric is weighted by the distance between a triangle that is equilateral in \f$ |S| \f$ and a surface with these curvatures
+and signs. This distance is less at saddles, and less where a curvature vanishes. Without the weight a mesh has more faces there
+than is best.
 
-Curvatures smaller than that of a sphere about five times as large as the surface are raised smoothly, lengths and turns of the
-normal along edges are bounded, and the metric changes but so fast; see `Metric_bounds`. The curvature at a vertex is estimated
-from the normals of its neighbours.
+Curvatures smaller than that of a sphere about five times as large as the surface are raised smoothly. `Metric_bounds` limits
+the lengths of edges, the turns of the normal along them, and how fast the metric changes. The curvature at a vertex is
+estimated from the normals of its neighbours.
 
 A length in this metric has the unit of space to the power of \f$ 1/2 + 1 / (2p + 2) \f$.
 
@@ -142,7 +143,7 @@ class Curvature_metric : public internal::Metric_embedding<Curvature_metric>
 
 public:
   /// \param p the norm, from 1 to infinity
-  /// \param bounds see there
+  /// \param bounds see `Metric_bounds`
   /// \throw std::invalid_argument if `p` is less than 1 or not a number, or the bounds are out of their ranges
   explicit Curvature_metric(const double p = 2, const Metric_bounds& bounds = Metric_bounds()) : Base(bounds), m_p(p)
   {
@@ -155,10 +156,11 @@ public:
   /// the same for a mesh in another unit of length: the curvature at its vertices is in that unit anyway
   Curvature_metric in_unit(double) const { return *this; }
 
-  /// by what lengths in the metric are divided in another unit of length
+  /// the number by which lengths in the metric are divided in another unit of length
   double unit_of_lengths(const double unit) const { return std::pow(unit, 0.5 - exponent()); }
 
-  /// \f$ M_p \f$ in the frame of the shape operator, in the inverse of a unit in which the surface has about the size 1
+  /// \f$ M_p \f$ in the frame of the shape operator. The unit of the shape operator is the inverse of a unit of length in which
+  /// the surface has about the size 1.
   Eigen::Matrix2d of_shape_operator(const Eigen::Matrix2d& shape_operator) const
   {
     static constexpr double smallest_curvature = 0.2;
@@ -174,10 +176,10 @@ public:
   }
 
 private:
-  // The distance between a triangle that is equilateral in |S| and a surface with the curvatures r |k|, r from -1 to 1, relative
-  // to r = 1. Root mean square, exactly: with the heights q_i of the quadratic form over the edges it is
-  // ((sum q_i^2 + (sum q_i)^2) / 720)^(1/2). Largest: fitted to r = (1, 1), (1, -1) and (1, 0), in the mean over all directions
-  // of the triangle, and raised at saddles, where directions matter.
+  // The distance between a triangle that is equilateral in |S| and a surface with the curvatures r |k|, relative to the
+  // distance for r = 1. r is from -1 to 1. The root mean square is exact: with the heights q_i of the quadratic form over the
+  // edges it is ((sum q_i^2 + (sum q_i)^2) / 720)^(1/2). The largest distance is fitted to r = (1, 1), (1, -1) and (1, 0), in
+  // the mean over all directions of the triangle. It is raised at saddles, where directions matter.
   double distance_constant(const double r, const double s) const
   {
     static constexpr double smallest = 0.1;
@@ -187,7 +189,7 @@ private:
     return smallest + (1 - smallest) * std::sqrt((9. / 8 * (r * r + s * s) + 3. / 4 * r * s + 9. / 4 * (r + s) * (r + s)) / 12);
   }
 
-  // of the determinant
+  // the exponent of the determinant
   double exponent() const { return std::isinf(m_p) ? 0. : -1 / (2 * m_p + 2); }
 
   double m_p;
@@ -197,9 +199,9 @@ private:
 \ingroup PkgAnisotropicHdeRemeshingRef
 
 The paper's embedding with a weight of the normals that follows the curvature, \f$ \sigma(x) = 1 / \sqrt{|K|} \f$ with the Gauss
-curvature \f$ K \f$: the metric \f$ I + \sigma(x)^2 S^2 \f$, in which edges have about the ratio of lengths that is best for
-the distance to the surface, \f$ \sqrt{k_1 / k_2} \f$, everywhere, and the sizes of faces hardly differ. It has no parameter and
-needs no scale. Regularised and bounded as `Curvature_metric`.
+curvature \f$ K \f$. This is the metric \f$ I + \sigma(x)^2 S^2 \f$. Everywhere, edges have about the ratio of lengths that is
+best for the distance to the surface, \f$ \sqrt{k_1 / k_2} \f$. The sizes of faces hardly differ. The embedding has no
+parameter and needs no scale. It is regularised and bounded as `Curvature_metric`.
 
 \cgalModels `RemeshingEmbedding`
 */
@@ -208,18 +210,18 @@ class Adaptive_normal_embedding : public internal::Metric_embedding<Adaptive_nor
   typedef internal::Metric_embedding<Adaptive_normal_embedding> Base;
 
 public:
-  /// \param bounds see there
+  /// \param bounds see `Metric_bounds`
   /// \throw std::invalid_argument if the bounds are out of their ranges
   explicit Adaptive_normal_embedding(const Metric_bounds& bounds = Metric_bounds()) : Base(bounds) {}
 
   /// the same for a mesh in another unit of length: the curvature at its vertices is in that unit anyway
   Adaptive_normal_embedding in_unit(double) const { return *this; }
 
-  /// by what lengths in the metric are divided in another unit of length: the unit itself
+  /// the number by which lengths in the metric are divided in another unit of length: the unit itself
   double unit_of_lengths(const double unit) const { return unit; }
 
-  /// \f$ I + \sigma^2 S^2 \f$ in the frame of the shape operator, in the inverse of a unit in which the surface has about the
-  /// size 1
+  /// \f$ I + \sigma^2 S^2 \f$ in the frame of the shape operator. The unit of the shape operator is the inverse of a unit of
+  /// length in which the surface has about the size 1.
   Eigen::Matrix2d of_shape_operator(const Eigen::Matrix2d& shape_operator) const
   {
     static constexpr double smallest_curvature = 0.2, smallest_ratio = 0.01; // of curvatures

@@ -26,8 +26,8 @@ struct Input_location
 {
   /// the position of the face in the range `faces(tmesh)` before the call
   std::size_t face = 0;
-  /// the weights of the vertices of the face, the first for the one that comes first in `vertices(tmesh)` and then along the
-  /// face; not negative, of sum 1
+  /// the weights of the vertices of the face, not negative and of sum 1. The first is that of the vertex that comes first in
+  /// `vertices(tmesh)`; the others follow along the face.
   std::array<double, 3> barycentric_coordinates{{1, 0, 0}};
 };
 

@@ -33,9 +33,9 @@ namespace Anisotropic_hde_remeshing {
 /*!
 \ingroup PkgAnisotropicHdeRemeshingRef
 
-A field in space from numbers at the vertices of a triangle mesh: at a point it has the value that is linearly interpolated at
-the closest point of the mesh. It keeps what it needs of the mesh, may be called concurrently, and is cheap to copy. It makes
-a vertex property, such as a solution on the mesh, a field for `scalar_field_embedding()`.
+A field in space from numbers at the vertices of a triangle mesh. At a point, it has the value that is linearly interpolated at
+the closest point of the mesh. It keeps what it needs of the mesh, may be called concurrently, and is cheap to copy. It turns a
+vertex property, such as a solution on the mesh, into a field for `scalar_field_embedding()`.
 */
 class Interpolated_vertex_field
 {
@@ -89,7 +89,7 @@ private:
     data->points = std::move(mesh.points);
     data->facets = std::move(mesh.faces);
     for (const auto v : vertices(tmesh))
-      if (halfedge(v, tmesh) != boost::graph_traits<TriangleMesh>::null_halfedge()) // as the points are
+      if (halfedge(v, tmesh) != boost::graph_traits<TriangleMesh>::null_halfedge()) // as in `points`
         data->values.push_back(to_double(get(values, v)));
     if (data->closest_facet.empty())
       throw std::invalid_argument("the mesh has no face that is not degenerate, which a field needs");

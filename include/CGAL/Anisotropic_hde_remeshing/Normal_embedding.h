@@ -22,9 +22,9 @@ namespace Anisotropic_hde_remeshing {
 /*!
 \ingroup PkgAnisotropicHdeRemeshingRef
 
-The embedding of the paper's (2), \f$ \Psi(x) = (x, \sigma n(x)) \in R^6 \f$: a mesh that is uniform and isotropic there is
-stretched along the directions of low curvature in space. A small edge of direction \f$ t \f$ has the squared 6D length
-\f$ |t|^2 + \sigma^2 |S t|^2 \f$ with the shape operator \f$ S \f$.
+The embedding of the paper's (2), \f$ \Psi(x) = (x, \sigma n(x)) \in R^6 \f$. A mesh that is uniform and isotropic in
+\f$ R^6 \f$ is stretched in space, along the directions of low curvature. A small edge of direction \f$ t \f$ has the squared 6D
+length \f$ |t|^2 + \sigma^2 |S t|^2 \f$ with the shape operator \f$ S \f$.
 
 \cgalModels `RemeshingEmbedding`
 */
@@ -49,7 +49,7 @@ public:
   /// the same for a mesh in another unit of length
   Normal_embedding in_unit(const double unit) const { return Normal_embedding(m_sigma / unit); }
 
-  /// by what lengths in the embedding are divided in another unit of length: the unit itself
+  /// the number by which lengths in the embedding are divided in another unit of length: the unit itself
   double unit_of_lengths(const double unit) const { return unit; }
 
   /// nothing needs to be kept
@@ -64,7 +64,7 @@ public:
     return (a.point - b.point).squaredNorm() + m_squared_sigma * (a.normal - b.normal).squaredNorm();
   }
 
-  /// the centroid of faces about a vertex in the embedding, drawn back to the tangent plane of the vertex
+  /// the centroid of the faces about a vertex in the embedding, pulled back to the tangent plane of the vertex
   template <typename Vertex>
   class Centroid
   {

@@ -24,13 +24,13 @@ enum class Piece_kind
   FIELD,         ///< an interpolant by radial basis functions
   PLANE,         ///< the signed distance to a plane
   CLOSEST_POINT, ///< the signed distance to the facets of the region, continued along their tangent planes
-  NONE           ///< nothing, as the region has no face that is not degenerate: the value 1 with the gradient 0 everywhere
+  NONE           ///< nothing: the value 1 with the gradient 0 everywhere, as all faces of the region are degenerate
 };
 
 /// \ingroup PkgAnisotropicHdeRemeshingRef
 ///
-/// what `CGAL::Piecewise_rbf_implicit_function` tells of its construction. Numbers of patches and points are sums over the pieces
-/// of the kind `Piece_kind::FIELD`, and what is worst is the worst of them; see `Rbf_diagnostics`.
+/// what `CGAL::Piecewise_rbf_implicit_function` tells of its construction. The numbers of patches and points are sums over the
+/// pieces of the kind `Piece_kind::FIELD`. The worst values are the worst of these pieces. See `Rbf_diagnostics`.
 struct Piecewise_rbf_diagnostics
 {
   /// \name Pieces
@@ -44,11 +44,11 @@ struct Piecewise_rbf_diagnostics
 
   /// \name Fields
   /// @{
-  std::size_t number_of_points = 0;        ///< one for each region at a crease
+  std::size_t number_of_points = 0;        ///< of all fields; a vertex on a crease is a point of each region there
   std::size_t number_of_patches = 0;       ///< of the interpolants
-  std::size_t patches_repaired = 0;        ///< that failed a check and were solved once more
-  std::size_t patches_on_fallback = 0;     ///< not solved or not repaired: answered by the input itself
-  std::size_t number_of_failed_checks = 0; ///< signs and gradients of patches not on fallback that are wrong after all
+  std::size_t patches_repaired = 0;        ///< patches that failed a check and were solved once more
+  std::size_t patches_on_fallback = 0;     ///< patches that were not solved or not repaired: the input itself answers there
+  std::size_t number_of_failed_checks = 0; ///< wrong signs and gradients that remain in patches not on fallback
   double worst_residual = 0;               ///< of the systems' solutions, relative to the largest datum
   double worst_value_residual = 0;         ///< largest difference to a datum, in the unit of the coordinates
   double worst_condition = 1;              ///< of the systems, estimated from below by the pivots

@@ -23,8 +23,9 @@ namespace Anisotropic_hde_remeshing {
 /*!
 \ingroup PkgAnisotropicHdeRemeshingRef
 
-the principal curvatures of a surface at a point, positive where it curves away from its normal, as a sphere with outward normals
-does, in the inverse of the unit of the coordinates; and their directions, unit vectors orthogonal to each other and to the normal
+the principal curvatures of a surface at a point, in the inverse of the unit of the coordinates, and their directions. A
+curvature is positive where the surface curves away from its normal, as a sphere with outward normals does. The directions are
+unit vectors orthogonal to each other and to the normal.
 
 \tparam GeomTraits a kernel
 */
@@ -58,7 +59,7 @@ Principal_curvatures<GeomTraits> principal_curvatures(const Jet<2>& jet, const d
   typedef typename GeomTraits::FT FT;
   typedef typename GeomTraits::Vector_3 Vector_3;
 
-  // in a basis of the tangent plane, where the normal's zero cannot be taken for a curvature
+  // In a basis of the tangent plane. In space, the eigenvalue 0 of the normal could be taken for a curvature.
   const double length = jet.gradient.norm();
   const Vector normal = length > 0 ? Vector(jet.gradient / length) : Vector(Vector::UnitZ());
   Eigen::Matrix<double, 3, 2> basis;

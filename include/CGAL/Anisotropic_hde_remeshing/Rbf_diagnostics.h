@@ -23,27 +23,27 @@ struct Rbf_diagnostics
 {
   /// \name Input
   /// @{
-  std::size_t number_of_points = 0;                ///< of the surface, those below left out
+  std::size_t number_of_points = 0;                ///< points of the surface, without the isolated and duplicate ones below
   std::size_t number_of_isolated_vertices = 0;     ///< vertices without a face, ignored
   std::size_t number_of_duplicate_points = 0;      ///< points equal to another one, ignored
-  std::size_t number_of_points_without_normal = 0; ///< whose normal is zero or cancelled: without off-surface points
-  std::size_t number_of_shortened_offsets = 0;     ///< off-surface points set nearer or left out: another sheet is close
+  std::size_t number_of_points_without_normal = 0; ///< with a zero or cancelled normal: no off-surface points
+  std::size_t number_of_shortened_offsets = 0;     ///< off-surface points set nearer or left out, as another sheet is close
   /// @}
 
   /// \name Patches
   /// @{
   std::size_t number_of_patches = 0;
-  double mean_centres = 0;                      ///< on- and off-surface points of a patch, in the mean
-  std::size_t max_centres = 0;                  ///< the same, of the largest patch
+  double mean_centres = 0;                      ///< mean number of on- and off-surface points of a patch
+  std::size_t max_centres = 0;                  ///< this number of the largest patch
   std::size_t patches_with_sparse_cholesky = 0; ///< the sparse systems of a kernel of compact support
   std::size_t patches_with_ridge = 0;           ///< solved with a small ridge on the diagonal
   std::size_t patches_with_lu = 0;              ///< solved by LU after Cholesky had failed
-  std::size_t patches_repaired = 0;             ///< that failed a check and were solved once more
-  std::size_t patches_on_fallback = 0;          ///< not solved or not repaired: answered by the input itself
-  std::size_t number_of_failed_checks = 0;      ///< signs and gradients of patches not on fallback that are wrong after all
-  double worst_residual = 0;                    ///< of the systems' solutions, relative to the largest datum
-  double worst_value_residual = 0;              ///< largest difference to a datum, in the unit of the coordinates
-  double worst_condition = 1;                   ///< of the systems, estimated from below by the pivots
+  std::size_t patches_repaired = 0;             ///< patches that failed a check and were solved once more
+  std::size_t patches_on_fallback = 0;     ///< patches that were not solved or not repaired: the input itself answers there
+  std::size_t number_of_failed_checks = 0; ///< wrong signs and gradients that remain in patches not on fallback
+  double worst_residual = 0;               ///< of the systems' solutions, relative to the largest datum
+  double worst_value_residual = 0;         ///< largest difference to a datum, in the unit of the coordinates
+  double worst_condition = 1;              ///< of the systems, estimated from below by the pivots
   /// @}
 
   /// \name Cost

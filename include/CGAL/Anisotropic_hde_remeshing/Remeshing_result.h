@@ -21,7 +21,7 @@ namespace Anisotropic_hde_remeshing {
 
 /// \ingroup PkgAnisotropicHdeRemeshingRef
 ///
-/// how many points each way of projecting onto the zero set has served, in the order in which they are tried
+/// for how many points each way of projecting onto the zero set was used. The ways are tried in this order.
 struct Projection_counters
 {
   std::size_t newton = 0;        ///< Newton's method along the gradient
@@ -37,9 +37,12 @@ enum class Target
   NUMBER_OF_FACES,     ///< `number_of_target_faces`, or as many as there were
   EDGE_LENGTH,         ///< the target length
   APPROXIMATION_ERROR, ///< the error
-  FEATURE_CURVES,      ///< none: the number of faces was missed by more than 1%, and most of them are at creases, boundaries or
-                       ///< constraints, which need their vertices
-  GUARDS ///< none: the same, but what was left to do would have folded or flattened faces, or changed the topology
+  /// none: the number of faces was missed by more than 1%. Most faces are at creases, boundaries or constraints, which need
+  /// their vertices.
+  FEATURE_CURVES,
+  /// none: the number of faces was missed by more than 1%. What was left to do would have folded or flattened faces, or changed
+  /// the topology.
+  GUARDS
 };
 
 /// \ingroup PkgAnisotropicHdeRemeshingRef
@@ -54,28 +57,28 @@ struct Feature_curves
 
 /// \ingroup PkgAnisotropicHdeRemeshingRef
 ///
-/// Faces with a larger aspect ratio \f$ R / (2 r) \f$, circumradius over twice the inradius, are called needles: hardly any
-/// computation has a use for them, and no metric that follows a curvature asks for them.
+/// Faces with a larger aspect ratio \f$ R / (2 r) \f$, circumradius over twice the inradius, are called needles. Hardly any
+/// computation has a use for needles, and no metric that follows a curvature asks for them.
 constexpr double needle_aspect_ratio = 1000;
 
 /// \ingroup PkgAnisotropicHdeRemeshingRef
 ///
-/// what `CGAL::anisotropic_hde_remeshing()` did, and with which parameters where it chose them itself
+/// what `CGAL::anisotropic_hde_remeshing()` did, and with which parameters. It chooses those that are not given.
 struct Remeshing_result
 {
   double sigma = 0;              ///< the weight of the normals, in the unit of the mesh
   double target_edge_length = 0; ///< the 6D edge length aimed at in the end, in the unit of the mesh
   Target binding_target =
-      Target::NUMBER_OF_FACES; ///< which of the targets given was reached first, or what kept the mesh from it
-  /// the bound that was found on the distance between the faces, but those at boundary and constrained curves, and the surface, in
-  /// the unit of the mesh, if an error was asked for: at most that, unless the number of faces was reached first; infinite where
-  /// the function does not lead to a surface, and if the visitor stopped it
+      Target::NUMBER_OF_FACES; ///< which of the given targets was reached first, or what kept the mesh from it
+  /// the bound on the distance between the faces and the surface, in the unit of the mesh, if an error was asked for. Faces at
+  /// boundary and constrained curves do not count. The bound is at most the error asked for, unless the number of faces was
+  /// reached first. It is infinite where the function does not lead to a surface, and if the visitor stopped the search for it.
   double approximation_error = 0;
-  /// how many faces were aimed at: `number_of_target_faces`, or as many as there were; with an error, the most that were allowed;
-  /// 0 if a length was asked for, or an error alone
+  /// how many faces were aimed at: `number_of_target_faces`, or as many as there were. With an error, it is the largest number
+  /// allowed. It is 0 if a length was asked for, or an error alone.
   std::size_t number_of_target_faces = 0;
-  std::size_t number_of_faces = 0;       ///< that the remeshed faces have become, 0 if the mesh stays as it was
-  std::size_t number_of_needles = 0;     ///< of these, those with an aspect ratio of more than `needle_aspect_ratio`
+  std::size_t number_of_faces = 0;       ///< the faces that have replaced the remeshed ones; 0 if the mesh stays as it was
+  std::size_t number_of_needles = 0;     ///< of these, the faces with an aspect ratio of more than `needle_aspect_ratio`
   unsigned int number_of_iterations = 0; ///< the iterations done
   std::size_t number_of_splits = 0;
   std::size_t number_of_collapses = 0;
@@ -83,23 +86,24 @@ struct Remeshing_result
   std::size_t number_of_regions = 0;           ///< between creases, each smooth: one, unless the function is piecewise
   Feature_curves curves_before, curves_after;  ///< in the input and in the result
   std::size_t number_of_isolated_vertices = 0; ///< isolated vertices of the input, which the result does not have
-  /// vertices of the result, but those of curves and constrained ones, that are further than 1e-8 of the diagonal of the bounding
-  /// box from the zero set (its value over the length of its gradient): the function led nowhere, and they are on the input; or the
-  /// last way would have folded a face, or let it intersect another one if these are tested. Before `fit_to_surface` moves them.
+  /// Vertices of the result that are further from the zero set than 1e-8 of the diagonal of the bounding box. The distance is
+  /// the value of the function over the length of its gradient. Vertices of curves and constrained ones do not count. There are
+  /// two reasons: the function led nowhere, and the vertex is on the input; or the last step would have folded a face, or made
+  /// it intersect another one if intersections are tested. Vertices are counted before `fit_to_surface` moves them.
   std::size_t number_of_unprojected_vertices = 0;
   Projection_counters projections;
   bool was_stopped = false;             ///< whether the visitor ended the remeshing early
   double implicit_function_seconds = 0; ///< wall time of `Stage::IMPLICIT_FUNCTION`
   double projection_seconds = 0;        ///< wall time of `Stage::PROJECTION`
   double remeshing_seconds = 0;         ///< wall time of `Stage::REMESHING`
-  double split_seconds = 0;             ///< wall time of the splits, within `Stage::REMESHING`, as the next three
+  double split_seconds = 0;             ///< wall time of the splits; it and the next three are parts of `Stage::REMESHING`
   double collapse_seconds = 0;          ///< wall time of the contractions
   double flip_seconds = 0;              ///< wall time of the flips
   double smoothing_seconds = 0;         ///< wall time of the smoothing
   double output_seconds = 0;            ///< wall time of `Stage::OUTPUT`
 
   /// Whether the number of faces is not the one aimed at: it differs by more than 1% of it, and by more than two faces. With an
-  /// error, only if there are more than allowed.
+  /// error, fewer faces are no miss.
   bool misses_number_of_faces() const
   {
     if (number_of_target_faces == 0 || number_of_faces == 0 || was_stopped)
@@ -110,7 +114,7 @@ struct Remeshing_result
   }
 
   /// what a caller should know before using the mesh, a line for each: that the number of faces is missed, and that there are
-  /// needles; empty if all is well. The distance to the input is not known here, see `measure_distance()`.
+  /// needles. It is empty if all is well. The distance to the input is not known here, see `measure_distance()`.
   std::vector<std::string> warnings() const
   {
     std::vector<std::string> result;

@@ -19,15 +19,16 @@ namespace Anisotropic_hde_remeshing {
 /// the order of the operations in `CGAL::anisotropic_hde_remeshing()`
 enum class Remeshing_scheme
 {
-  /// An iteration splits edges from 4/3 and contracts edges below 4/5 of the target length, and then the longest or the
-  /// shortest ones until the number of faces is right, which is alternately a little less and a little more than asked, and
-  /// once two fifths more if the mesh begins with about the right number; flips edges, in the last iterations towards larger
-  /// angles, before towards valence six; and smooths all vertices. It measures best and is the default.
+  /// An iteration splits edges from 4/3 and contracts edges below 4/5 of the target length. Then it splits the longest or
+  /// contracts the shortest edges until the number of faces is right. This number is alternately a little less and a little
+  /// more than asked. It is two fifths more once, if the mesh begins with about the right number. Next, the iteration flips
+  /// edges towards valence six, or, in the last iterations, towards larger angles. In the end it smooths all vertices. This
+  /// scheme measures best and is the default.
   DEFAULT,
-  /// Algorithm 2 of the paper: an iteration contracts edges below half of the target length, smooths the 30% of the vertices
-  /// with the smallest 6D angles and flips edges until nothing is contracted; then it splits edges above 3/2 of the target
-  /// length, flips, smooths and flips. If a number of faces is asked, the length follows it, and the shortest or the longest
-  /// edges make up for the rest.
+  /// Algorithm 2 of the paper. An iteration first repeats three operations until nothing is contracted: it contracts edges
+  /// below half of the target length, smooths the 30% of the vertices with the smallest 6D angles, and flips edges. Then it
+  /// splits edges above 3/2 of the target length, flips, smooths and flips. If a number of faces is asked for, the length
+  /// follows from it. Contracting the shortest edges or splitting the longest ones makes up for the rest.
   PAPER
 };
 

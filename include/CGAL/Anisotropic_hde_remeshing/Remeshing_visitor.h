@@ -21,7 +21,7 @@ namespace Anisotropic_hde_remeshing {
 /// the stages of `CGAL::anisotropic_hde_remeshing()`, in the order in which they run
 enum class Stage
 {
-  IMPLICIT_FUNCTION, ///< the radial basis functions are built; only in the form that takes no function
+  IMPLICIT_FUNCTION, ///< the radial basis functions are built; only if no function is given
   PROJECTION,        ///< the vertices of the input are projected onto the zero set
   REMESHING,         ///< the local operations
   OUTPUT             ///< the result is written into the mesh of the caller
@@ -29,7 +29,7 @@ enum class Stage
 
 /// \ingroup PkgAnisotropicHdeRemeshingRef
 ///
-/// thrown by the constructor of `CGAL::Rbf_implicit_function` if the visitor that it was given stops it; no function is half built.
+/// thrown by the constructor of `CGAL::Rbf_implicit_function` if the visitor stops it. No function is left half built.
 /// `CGAL::anisotropic_hde_remeshing()` does not throw it: it returns.
 struct Interrupted : std::runtime_error
 {
@@ -38,20 +38,20 @@ struct Interrupted : std::runtime_error
 
 /// \ingroup PkgAnisotropicHdeRemeshingRef
 ///
-/// the default visitor of `CGAL::anisotropic_hde_remeshing()`, a model of `RemeshingVisitor`: hears everything, does nothing, never
-/// stops the remeshing. Derive from it and hide the members that are needed.
+/// the default visitor of `CGAL::anisotropic_hde_remeshing()`, a model of `RemeshingVisitor`. It does nothing and never stops
+/// the remeshing. Derive from it and hide the members that are needed.
 /// All calls come from the calling thread. A visitor that throws leaves the mesh as it was given.
 struct Remeshing_visitor
 {
   /// called once when `stage` begins
   void stage_started(Stage /* stage */) {}
 
-  /// called with the share done, from 0 to 1; it never decreases within a call
+  /// called with the share done, from 0 to 1. The share never decreases within a call.
   void progress(double /* share */) {}
 
-  /// asked between any two steps and, in the long ones, every few milliseconds; `false` ends the remeshing early. What has been
-  /// reached by then, a valid mesh with its vertices on the zero set, is written to the mesh of the caller; before
-  /// `Stage::REMESHING` that mesh stays as it was.
+  /// asked between any two steps and, in the long ones, every few milliseconds. `false` ends the remeshing early. The mesh
+  /// reached by then is written to the mesh of the caller. It is valid and has its vertices on the zero set. Before
+  /// `Stage::REMESHING` the mesh of the caller stays as it was.
   bool go_further() { return true; }
 };
 

@@ -32,7 +32,7 @@ namespace Anisotropic_hde_remeshing {
 
 namespace internal {
 
-// the number of values of a field: of a number 1, of an array its size
+// the number of values of a field: 1 if it returns a number, the size if it returns an array
 template <typename T, typename = void>
 struct Field_dimension : std::integral_constant<int, 1>
 {
@@ -44,7 +44,7 @@ struct Field_dimension<T, std::void_t<decltype(std::tuple_size<T>::value)>>
 {
 };
 
-// what a field returns; of what is no field, a number
+// the type that a field returns; a number if the type is no field
 template <typename Field, typename Point, typename = void>
 struct Field_result
 {
@@ -62,9 +62,9 @@ struct Field_result<Field, Point, std::void_t<decltype(std::declval<const Field&
 /*!
 \ingroup PkgAnisotropicHdeRemeshingRef
 
-The embedding \f$ (x, \sigma n(x), \tau f(x)) \in R^{6+m} \f$ with a field \f$ f \f$ of the user's, of \f$ m \f$ numbers: a texture,
-the solution of a differential equation, a function on the surface. Where it varies the mesh becomes finer, across the direction in
-which it varies: a small edge of direction \f$ t \f$ has the squared length
+The embedding \f$ (x, \sigma n(x), \tau f(x)) \in R^{6+m} \f$ with a field \f$ f \f$ of the user's, of \f$ m \f$ numbers: a
+texture, the solution of a differential equation, a function on the surface. The mesh becomes finer where the field varies:
+edges along the direction of the variation become shorter. A small edge of direction \f$ t \f$ has the squared length
 \f$ |t|^2 + \sigma^2 |S t|^2 + \tau^2 |\nabla f \cdot t|^2 \f$.
 
 \tparam Point the type of the points that the field takes, with a constructor from three `double`
@@ -114,7 +114,7 @@ public:
     return result;
   }
 
-  /// by what lengths in the embedding are divided in another unit of length: the unit itself
+  /// the number by which lengths in the embedding are divided in another unit of length: the unit itself
   double unit_of_lengths(const double unit) const { return unit; }
 
   /// evaluates the field
@@ -147,7 +147,7 @@ public:
     return m_normals.squared_length(a, b) + m_squared_tau * (a.values - b.values).squaredNorm();
   }
 
-  /// the centroid of faces about a vertex in the embedding, drawn back to the tangent plane of the vertex
+  /// the centroid of the faces about a vertex in the embedding, pulled back to the tangent plane of the vertex
   template <typename Vertex>
   class Centroid
   {
@@ -171,8 +171,8 @@ public:
       m_of_field += weight * ((a.values + b.values + m_center.values) / 3 - m_center.values);
     }
 
-    /// as `Normal_embedding::Centroid::tangential_step()`, with the gradient of the field, which least squares take from the
-    /// neighbours, as a further part of the differential
+    /// as `Normal_embedding::Centroid::tangential_step()`, with the gradient of the field as a further part of the
+    /// differential. Least squares give this gradient from the neighbours.
     Eigen::Vector2d tangential_step(const Eigen::Matrix2d& shape_operator) const
     {
       const double squared_sigma = m_embedding.sigma() * m_embedding.sigma(), squared_tau = m_embedding.m_squared_tau;
@@ -200,14 +200,14 @@ public:
 private:
   Normal_embedding m_normals;
   double m_tau, m_squared_tau;
-  double m_unit = 1; // of the points, in that of the field
+  double m_unit = 1; // of the points here, in the unit of the points that the field takes
   Field m_field;
 };
 
 /*!
 \ingroup PkgAnisotropicHdeRemeshingRef
 
-returns the embedding with the field; the type of the points cannot be deduced.
+returns the embedding with the field. The type of the points cannot be deduced.
 */
 template <typename Point, typename Field>
 Scalar_field_embedding<Point, Field> scalar_field_embedding(const double sigma, const double tau, const Field& field)

@@ -39,15 +39,15 @@ namespace Anisotropic_hde_remeshing {
 struct Surface_regions
 {
   std::size_t number_of_regions = 0;         ///< the parts of the surface between its creases and boundaries
-  std::size_t number_of_crease_edges = 0;    ///< those that are marked
+  std::size_t number_of_crease_edges = 0;    ///< edges that are marked as creases
   std::size_t number_of_dropped_edges = 0;   ///< edges that are sharp by their angle, but taken for noise
-  std::size_t number_of_extension_edges = 0; ///< edges that are not sharp, by which creases that fade out go on
+  std::size_t number_of_extension_edges = 0; ///< edges that are not sharp, but continue creases that fade out
   std::size_t number_of_joined_specks = 0;   ///< regions of a few small faces that were joined to a neighbour
 };
 
 namespace internal {
 
-// whether the types will do; says what is wrong if they will not
+// whether the types are accepted; if not, an error of the compiler says what is wrong
 template <typename TriangleMesh, typename EdgeIsCreaseMap, typename FaceRegionMap, typename NamedParameters>
 constexpr bool accepts_region_detection()
 {
@@ -98,8 +98,8 @@ void mark_edges_of_caller(const TriangleMesh& tmesh, const NamedParameters& np, 
   }
 }
 
-// The edges whose angle is at least `angle`, without those that are marked in `is_crease`, which is set for them. Faces that are
-// too thin to have a normal of their own are seen as parts of a neighbour.
+// Marks the edges whose angle is at least `angle` in `is_crease`. Returns those that were not marked before. A face that is too
+// thin to have a normal of its own is seen as part of a neighbour.
 template <typename TriangleMesh, typename NamedParameters, typename Directions, typename EdgeIsCreaseMap>
 std::vector<typename boost::graph_traits<TriangleMesh>::edge_descriptor>
 mark_sharp_edges(const TriangleMesh& tmesh, const double angle, const NamedParameters& np, const Directions& directions,
@@ -149,7 +149,7 @@ void check_points(const TriangleMesh& tmesh, const VertexPointMap vpm)
   }
 }
 
-// Extends darts, and takes those extensions back that separate nothing. Returns how many edges it has marked.
+// Extends darts, and takes back the extensions that separate no regions. Returns how many edges it has marked.
 template <typename TriangleMesh, typename Directions, typename EdgeRange, typename FaceRegionMap, typename EdgeIsCreaseMap>
 std::size_t extend_darts(const TriangleMesh& tmesh, const Directions& directions, const double angle, const EdgeRange& sharp,
                          const FaceRegionMap region, const EdgeIsCreaseMap is_crease)
@@ -176,32 +176,34 @@ std::size_t extend_darts(const TriangleMesh& tmesh, const Directions& directions
 finds the creases of a surface, the edges where it is not smooth, and the regions between them. These are the smooth pieces for
 `CGAL::Piecewise_rbf_implicit_function`.
 
-Creases are the edges that the caller constrains, the edges between two patches of the caller, and, if `sharp_angle` is given, the
-edges at which the normals of the faces differ by at least this angle. A face too thin to have a reliable normal, its height less
-than 3 millionths of the size of the surface, is taken for a part of its neighbour across its longest edge.
+Creases are the edges that the caller constrains, the edges between two patches of the caller, and, if `sharp_angle` is given,
+the edges at which the normals of the faces differ by at least this angle. A face has no reliable normal if its height is less
+than 3 millionths of the size of the surface. Such a face is taken for a part of its neighbour across its longest edge.
 
-<b>Noise</b> has sharp angles, too. From the edges that are creases by their angle only, two kinds are dropped, where the size of
-the surface is the diagonal of the box about its connected component. A speck, a region of at most 8 faces which is smaller than
-3% of the surface, is joined to the neighbour behind its weakest edge. A dart, connected creases with the same region on both
-sides, is dropped if it is shorter than 8% of the surface.
+<b>Noise</b> has sharp angles, too. Two kinds of noise are dropped from the edges that are creases by their angle only. The size
+of the surface is the diagonal of the box about its connected component.
+- A speck is a region of at most 8 faces that is smaller than 3% of the surface. It is joined to the neighbour behind its
+  weakest edge.
+- A dart is a set of connected creases with the same region on both sides. It is dropped if it is shorter than 8% of the
+  surface.
 
 <b>Extension.</b> A longer dart is extended from its tips to the next crease or boundary, along edges that are as sharp and as
-few as can be, if these cost at most half of its length: an edge as sharp as a crease costs a tenth of its length, a smooth one
-all of it. What separates no regions then is taken back.
+few as can be. An edge as sharp as a crease costs a tenth of its length, a smooth one all of it. An extension may cost at most
+half of the length of the dart. Extensions that do not separate regions are taken back.
 
-The time is linear in the size of the mesh but for the sorting of the creases by their angle. The result does not depend on the
-position, the orientation or the unit of the mesh but for rounding.
+The time is linear in the size of the mesh, except for sorting the creases by their angle. The result does not depend on the
+position, the orientation or the unit of the mesh, except for rounding.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 \tparam EdgeIsCreaseMap a model of `WritablePropertyMap` with the edges of `tmesh` as keys and `bool` as values
 \tparam FaceRegionMap a model of `WritablePropertyMap` with the faces of `tmesh` as keys and `std::size_t` as values
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param tmesh the mesh. Other faces than triangles are allowed, and so are isolated vertices, which are ignored.
-\param edge_is_crease is told for every edge whether it is a crease; a boundary edge is none. It may be the map of the constrained
-       edges.
-\param face_region is told for every face the number of its region, from 0 on in the order of the first faces of the regions. It
-       may be the map of the patches.
+\param tmesh the mesh. Other faces than triangles are allowed. Isolated vertices are allowed and ignored.
+\param edge_is_crease is told for every edge whether it is a crease. A boundary edge is no crease. The map may be that of the
+       constrained edges.
+\param face_region is told for every face the number of its region. Regions are numbered from 0 on in the order of their first
+       faces. The map may be that of the patches.
 \param np optional named parameters among the ones below
 
 \cgalNamedParamsBegin

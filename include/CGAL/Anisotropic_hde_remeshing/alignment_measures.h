@@ -57,8 +57,8 @@ struct Stretch
 \ingroup PkgAnisotropicHdeRemeshingRef
 
 measures how well the stretched faces of a triangle mesh follow the direction in which the surface is flatter. A face counts if
-the ellipse of inertia of its edges has axes of a ratio of at least `smallest_ratio` and the absolute principal curvatures at its
-centroid have one of at least `smallest_ratio`, too; its angle is the one between the longer axis and that direction, in degrees.
+two ratios are at least `smallest_ratio`: that of the axes of the ellipse of inertia of its edges, and that of the absolute
+principal curvatures at its centroid. Its angle is the one between the longer axis and the flatter direction, in degrees.
 Without alignment the mean is 45.
 
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`: how the gradients are computed

@@ -29,8 +29,8 @@ namespace Anisotropic_hde_remeshing {
 /*!
 \ingroup PkgAnisotropicHdeRemeshingRef
 
-the least distances to a smooth surface that a mesh of triangles can have, asymptotically for many faces. The distances of a mesh
-divided by them say how far it is from the best of its size: its efficiency, 1 at best.
+the least distances to a smooth surface that a triangle mesh can have, asymptotically for many faces. Divide the distances of a
+mesh by these bounds to see how far the mesh is from the best one of its size. The quotient is its efficiency, 1 at best.
 */
 struct Approximation_bounds
 {
@@ -52,12 +52,14 @@ struct Approximation_bounds
 /*!
 \ingroup PkgAnisotropicHdeRemeshingRef
 
-integrates the bounds over a mesh near the zero set of `f`, for its number of faces \f$ F \f$ (if it is to be of use for another,
-see `Approximation_bounds::for_number_of_faces()`). With the area \f$ A \f$ and the Gauss curvature \f$ K \f$ they are
-\f$ (\int (c^2 |K|)^{1/3} dA)^{3/2} / (F \sqrt A) \f$ for the root mean square, with \f$ c = 0.2981 \f$ where \f$ K > 0 \f$,
-\f$ 0.0745 \f$ if vertices may leave the surface, and \f$ 0.1054 \f$ where \f$ K < 0 \f$; and
-\f$ \int g \sqrt{|K|}\, dA / F \f$ for the largest distance, with \f$ g = 2 / (3 \sqrt 3) \f$, half of it, and
-\f$ 1 / (2 \sqrt 5) \f$ (Fejes Toth 1948; Gruber 1993).
+integrates the bounds over a mesh near the zero set of `f`, for its number of faces \f$ F \f$. For another number of faces see
+`Approximation_bounds::for_number_of_faces()`. \f$ A \f$ is the area and \f$ K \f$ the Gauss curvature (Fejes Toth 1948; Gruber
+1993).
+- The bound of the root mean square is \f$ (\int (c^2 |K|)^{1/3} dA)^{3/2} / (F \sqrt A) \f$. \f$ c \f$ is \f$ 0.2981 \f$ where
+  \f$ K > 0 \f$, or \f$ 0.0745 \f$ there if vertices may leave the surface. It is \f$ 0.1054 \f$ where \f$ K < 0 \f$.
+- The bound of the largest distance is \f$ \int g \sqrt{|K|}\, dA / F \f$. \f$ g \f$ is \f$ 2 / (3 \sqrt 3) \f$ where
+  \f$ K > 0 \f$, or half of it there if vertices may leave the surface. It is \f$ 1 / (2 \sqrt 5) \f$ where \f$ K < 0 \f$.
+
 Each face counts with the curvature at its centroid.
 
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`: how the gradients are computed

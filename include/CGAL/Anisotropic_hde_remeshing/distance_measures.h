@@ -54,7 +54,7 @@ public:
                                                                     get_const_property_map(vertex_point, tmesh));
     m_tree.insert(faces(tmesh).first, faces(tmesh).second, tmesh, point_map);
     m_tree.build();
-    m_tree.accelerate_distance_queries(); // now, not at the first query of one of the threads
+    m_tree.accelerate_distance_queries(); // now, not when a thread asks first
   }
 
   double operator()(const Vector& p) const
@@ -66,7 +66,7 @@ private:
   AABB_tree<Traits> m_tree;
 };
 
-// of the points sampled on the mesh, and of its vertices for the maximum: there a distance often has its peaks
+// The distances of the points sampled on the mesh. The maximum is also over the vertices, where a distance often has its peaks.
 template <typename ConcurrencyTag, typename Distance>
 Rms_and_max rms_and_max_from(const Measured_mesh& mesh, const std::size_t number_of_samples, const Distance& distance)
 {
@@ -85,8 +85,8 @@ Rms_and_max rms_and_max_from(const Measured_mesh& mesh, const std::size_t number
 
 \brief measures the distances between two triangle meshes, both ways, at sampled points.
 
-The points sampled are spread evenly over the area, without random numbers: a second call gives the same result, as
-does another number of threads.
+The sampled points are spread evenly over the area, without random numbers. So a second call and another number of threads give
+the same result.
 
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`: how the distances are computed
 \tparam TriangleMesh1 a model of `VertexListGraph`, `EdgeListGraph`, `HalfedgeListGraph` and `FaceListGraph`

@@ -57,7 +57,7 @@ inline std::size_t number_of_components(const Measured_mesh& mesh)
   return number;
 }
 
-// over which faces lie on each other
+// the number of edges over which faces lie on each other
 inline std::size_t number_of_folded_edges(const Measured_mesh& mesh)
 {
   struct Side
@@ -73,7 +73,7 @@ inline std::size_t number_of_folded_edges(const Measured_mesh& mesh)
       sides.push_back(Side{ends.first, ends.second, f});
     }
   std::sort(sides.begin(), sides.end());
-  const double unit = mesh.diagonal(); // whatever that of the mesh is, products neither overflow nor vanish
+  const double unit = mesh.diagonal(); // in this unit, products neither overflow nor vanish
   if (!(unit > 0))
     return 0;
   std::size_t number = 0;
@@ -122,7 +122,7 @@ inline void measure_edges(const Embedded_mesh& embedded, Embedding_measures& mea
   for (const std::pair<std::size_t, std::size_t>& edge : embedded.mesh.edges)
   {
     lengths.push_back(std::sqrt(embedded.squared_length(edge.first, edge.second)));
-    // an edge of no length would alone make the mean vanish
+    // a single edge of no length would make the mean vanish
     sum_of_logarithms += std::log((std::max)(lengths.back(), (std::numeric_limits<double>::min)()));
   }
   if (lengths.empty())
@@ -279,7 +279,7 @@ gradients at its three vertices.
 \tparam NamedParameters a sequence of named parameters
 
 \param tmesh a triangle mesh
-\param f the implicit function, its gradient pointing to the side the faces look to
+\param f the implicit function. Its gradient points to the side that the faces look to.
 \param np optional named parameters: `vertex_point_map`, `geom_traits`, `sigma` (the weight of the normals, in the unit
 of the mesh; by default 0.01 of the diagonal of its bounding box) and `target_edge_length` (the length `l` that the
 shares of edges refer to; by default, and if it is 0, the geometric mean of the 6D lengths)

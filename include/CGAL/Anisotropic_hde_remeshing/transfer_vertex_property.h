@@ -36,9 +36,12 @@ namespace Anisotropic_hde_remeshing {
 /*!
 \ingroup PkgAnisotropicHdeRemeshingRef
 
-The mean of three values with given weights of sum 1, not negative: of numbers, of integers rounded to the nearest one; of
-vectors and all else that can be multiplied by a `double` from the right and added; of points; of arrays, component by
-component; and of `CGAL::IO::Color`.
+The mean of three values with given weights. The weights are not negative and have the sum 1. The values are
+- numbers; the mean of integers is rounded to the nearest one;
+- vectors and all other types that can be added, and be multiplied by a `double` from the right;
+- points;
+- arrays, whose components are interpolated one by one;
+- `CGAL::IO::Color`.
 */
 struct Linear_interpolation
 {
@@ -74,7 +77,7 @@ struct Linear_interpolation
   }
 
 private:
-  // what has an origin, and can only be moved
+  // A point has a difference to the origin. It cannot be multiplied by a number.
   template <typename T, typename = void>
   struct Is_point : std::false_type
   {
@@ -107,7 +110,7 @@ std::vector<typename boost::graph_traits<Mesh>::halfedge_descriptor> first_halfe
   return result;
 }
 
-// whether the maps will do; says what is wrong if they will not
+// whether the maps are accepted; if not, an error of the compiler says what is wrong
 template <typename InputMesh, typename InputPropertyMap, typename OutputMesh, typename VertexLocationMap,
           typename OutputPropertyMap>
 constexpr bool accepts_transfer()
@@ -151,8 +154,8 @@ void transfer_vertex_values(const InputMesh& input, const InputPropertyMap input
 \ingroup PkgAnisotropicHdeRemeshingRef
 
 carries a property of the vertices, such as colours, texture coordinates or a solution, from the mesh that was remeshed to the
-result: every vertex gets the mean, with its barycentric coordinates, of the values at the face from which it comes.
-Discontinuities at vertices, such as the seams of a texture, are not seen.
+result. Every vertex of the result comes from a place in a face of the input. It gets the mean of the values at the vertices of
+this face, weighted by its barycentric coordinates. Discontinuities at vertices, such as the seams of a texture, are not seen.
 
 \tparam InputMesh a model of `FaceListGraph`
 \tparam InputPropertyMap a model of `ReadablePropertyMap` with the vertices of `input` as keys
@@ -161,8 +164,8 @@ Discontinuities at vertices, such as the seams of a texture, are not seen.
 \tparam OutputPropertyMap a model of `WritablePropertyMap` with the vertices of `output` as keys
 \tparam Interpolation a functor like `Linear_interpolation`
 
-\param input a copy, made before the call, of the mesh that was given to `CGAL::anisotropic_hde_remeshing()`, with its
-       vertices and faces in the same order: by the copy constructor, as `CGAL::copy_face_graph()` keeps no order
+\param input a copy of the mesh that was given to `CGAL::anisotropic_hde_remeshing()`, made before the call. Its vertices and
+       faces must be in the same order. The copy constructor keeps the order, `CGAL::copy_face_graph()` does not.
 \param input_property the values at its vertices
 \param output the result
 \param vertex_location the map that was given by the name `vertex_location_map`

@@ -30,7 +30,7 @@ namespace Anisotropic_hde_remeshing {
 
 namespace internal {
 
-// Vertices from which no way leads to the zero set are no further from it than by way of a neighbour.
+// If no way leads from a vertex to the zero set, its distance is at most that of a neighbour plus the way to this neighbour.
 inline void bound_by_neighbors(const Measured_mesh& mesh, std::vector<double>& of_vertices)
 {
   bool has_changed = true;
@@ -52,7 +52,7 @@ inline void bound_by_neighbors(const Measured_mesh& mesh, std::vector<double>& o
   }
 }
 
-// of the i-th point; `of_vertices` has the distances of the vertices
+// the distance of the i-th point; `of_vertices` has the distances of the vertices
 template <typename Function>
 double distance_of_sample(const Area_sampler& sampler, const std::size_t i, const Measured_mesh& mesh,
                           const std::vector<double>& of_vertices, const Function& f, const double size)
@@ -74,13 +74,14 @@ double distance_of_sample(const Area_sampler& sampler, const std::size_t i, cons
 
 \brief measures how far a triangle mesh is from the zero set of an implicit function.
 
-A distance is that to a point of the zero set, which Newton's method finds along the gradient, and steps along the tangent planes
-the nearest one about it: it is not less than the true distance, and the same up to a ten-thousandth wherever the nearest point
-of the zero set is found. Where neither leads to the zero set, the sum of the distances to a neighbouring vertex and from there to
-the zero set counts. It is infinite where no vertex about has found it.
+Newton's method leads from a point to the zero set, along the gradient. Steps along the tangent planes lead on to the nearest
+point of the zero set around. The distance to that point is what is measured: it is not less than the true distance, and the
+same up to a ten-thousandth wherever the nearest point of the zero set is found. Where no way leads to the zero set, the
+distance is bounded by way of a neighbouring vertex: the distance to this vertex plus its distance to the zero set. The distance
+is infinite where no vertex around has found the zero set.
 
-The points sampled on the faces are spread evenly over the area, without random numbers: a second call gives the same
-result, as does another number of threads.
+The sampled points are spread evenly over the area, without random numbers. So a second call and another number of threads give
+the same result.
 
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`: how the function is evaluated
 \tparam TriangleMesh a model of `VertexListGraph`, `EdgeListGraph`, `HalfedgeListGraph` and `FaceListGraph`

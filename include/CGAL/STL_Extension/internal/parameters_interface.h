@@ -7,8 +7,8 @@
 // Author(s)     : The Anisotropic_hde_remeshing developers
 
 // CGAL/Named_function_parameters.h includes a file of this name three times, each time with another meaning of
-// CGAL_add_named_parameter, hence no include guard here. This file must be found before CGAL's file of the same
-// name, which it includes and to which it adds the names of this package.
+// CGAL_add_named_parameter. So there is no include guard here. This file must be found before CGAL's file of the same name. It
+// includes that file and adds the names of this package to it.
 
 #if defined(__GNUC__)
 #  pragma GCC system_header // -Wpedantic would warn of #include_next, an extension, in every translation unit
@@ -16,7 +16,7 @@
 
 #ifdef CGAL_AHR_INSIDE_PARAMETERS_INTERFACE
 
-// A second copy of this package on the include path, reached from the first, which adds the names: pass on.
+// This is a second copy of this package on the include path. The first one has included it and adds the names: pass on.
 #  include_next <CGAL/STL_Extension/internal/parameters_interface.h>
 
 #else
