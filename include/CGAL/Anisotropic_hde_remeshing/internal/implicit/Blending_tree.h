@@ -29,12 +29,12 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// A tree of planes that blend their two sides by a quintic smoothstep over a slab. The products of the weights along the
-// paths to the leaves are an exact partition of unity of class C^2 on all of space: no point is uncovered, and nothing needs
-// to be normalised. A leaf is a patch; its data are the points of its cell, inflated by the half-widths of the slabs that
-// bound it, where it counts, and beyond by the overlap, which gives its interpolant a neighbourhood. The planes are
-// orthogonal to the longest principal axis of their points, hence to the surface where it is nearly flat: slabs along the
-// coordinate axes would cut it obliquely and hold many more points.
+// A tree of planes. Each plane blends its two sides by a quintic smoothstep over a slab. The products of the weights along the
+// paths to the leaves are an exact partition of unity of class C^2 on all of space: no point is uncovered, and nothing needs to
+// be normalised. A leaf is a patch. It counts in its cell, inflated by the half-widths of the slabs that bound it. Its data are
+// the points there, and those beyond as far as the overlap: these give its interpolant a neighbourhood. The planes are
+// orthogonal to the longest principal axis of their points. So they are orthogonal to the surface where it is nearly flat.
+// Slabs along the coordinate axes would cut the surface obliquely and hold many more points.
 class Blending_tree
 {
   struct Node
@@ -43,16 +43,17 @@ class Blending_tree
     double position = 0;
     double half_width = 0; // of the slab
     bool is_leaf = true;
-    std::size_t left = 0; // index of the left child, the right one follows; of a leaf, its number
+    std::size_t left = 0; // index of the left child, the right one follows; for a leaf, its number
     std::size_t parent = 0;
 
     double distance(const Vector& p) const { return normal.dot(p) - position; }
   };
 
-  // of the eigenvalues of the covariance, of which the sum is 1
+  // least difference of the eigenvalues of the covariance for two axes to differ in length; the sum of the eigenvalues is 1
   static constexpr double least_difference_of_axes = 1e-6;
   static constexpr double offset_overlap = 0.8; // in units of the local spacing
-  // of the points of a cell: where sampling is uneven, a slab as wide as a coarse region asks would swallow a dense one
+  // The largest share of the points of a cell that are in its slab. Where sampling is uneven, a slab as wide as a coarse region
+  // asks for would swallow a dense region.
   static constexpr double largest_share_of_slab = 0.4;
 
 public:
@@ -66,8 +67,8 @@ public:
 
   Blending_tree() = default;
 
-  // `blending` and `overlap` are in units of the local spacing; `maximum_leaf_size` splits further where uneven sampling
-  // inflates a leaf, as long as that makes it smaller. The cells of a level are split in parallel.
+  // `blending` and `overlap` are in units of the local spacing. Uneven sampling may inflate a leaf: one that is larger than
+  // `maximum_leaf_size` is split further, as long as that makes it smaller. The cells of a level are split in parallel.
   template <typename ConcurrencyTag>
   Blending_tree(const ConcurrencyTag, const Surface_sample& sample, const std::size_t number_of_leaves, const double blending,
                 const double overlap, const std::size_t maximum_leaf_size, Interruption& interruption)
@@ -99,7 +100,7 @@ public:
   // the points are needed for the solve only
   void release_points() { std::vector<Leaf>().swap(m_leaves); }
 
-  // the points of a leaf with another overlap: for a patch to be solved once more with a wider view
+  // the points of a leaf with another overlap, to solve its patch once more with a wider view
   Leaf widened_leaf(const Surface_sample& sample, const std::size_t number, const double overlap) const
   {
     std::vector<std::size_t> path; // from the leaf to the root
@@ -199,7 +200,7 @@ private:
     Points data;
   };
 
-  // its plane and its sides, if it is worth it
+  // the plane and the sides of a cell, if it is worth splitting
   struct Split_cell
   {
     bool is_split = false;
@@ -207,7 +208,7 @@ private:
     std::array<Cell, 2> sides;
   };
 
-  // takes the points of a cell that it splits
+  // takes the points out of the cell if it splits it
   Split_cell split(const Surface_sample& sample, Cell& cell) const
   {
     Split_cell result;
@@ -254,7 +255,7 @@ private:
     m_leaves.push_back(Leaf{std::move(cell.data.indices), std::move(cell.data.has_offset), std::move(cell.own), cell.node});
   }
 
-  // A leaf that is too large after all keeps the points of its zone of influence and those nearest to it.
+  // A leaf that is still too large keeps the points of its zone of influence, and the nearest points outside.
   void trim(Points& data) const
   {
     if (data.size() <= m_maximum_leaf_size)
@@ -273,7 +274,7 @@ private:
     data.has_offset.resize(next);
   }
 
-  // the plane across the longest principal axis of the points that divides them in the ratio of the leaves to come
+  // the plane across the longest principal axis of the points; it divides them in the ratio of the leaves to come
   Node split_plane(const Surface_sample& sample, const std::vector<std::size_t>& own, const std::size_t number_of_leaves) const
   {
     Node node;
@@ -305,7 +306,8 @@ private:
     if (!(trace > 0))
       return Vector::UnitX();
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(covariance / trace);
-    // On symmetric shapes two axes may be equally long, and which one is found hangs on rounding: then a coordinate axis.
+    // On symmetric shapes two axes may be equally long, and rounding would decide which one is found. Then a coordinate axis is
+    // taken.
     if (axes.eigenvalues()[2] - axes.eigenvalues()[1] > least_difference_of_axes)
     {
       const Vector axis = axes.eigenvectors().col(2);
@@ -320,8 +322,8 @@ private:
     return Vector::Unit(longest);
   }
 
-  // The last bits of a coordinate depend on the unit and the place of the input: without them the points of a symmetric shape
-  // are divided in the same way everywhere. Coordinates are below 1.
+  // The last bits of a coordinate depend on the unit and the place of the input. Without these bits the points of a symmetric
+  // shape are divided in the same way everywhere. Coordinates are below 1.
   static double rounded(const double coordinate) { return std::nearbyint(std::ldexp(coordinate, 30)) * std::ldexp(1., -30); }
 
   // the half-width of the slab that holds `largest_share_of_slab` of the points
@@ -347,8 +349,8 @@ private:
     return *median;
   }
 
-  // The overlap is measured in the spacing of the point itself: next to a coarse region a dense one adds few points. Off-
-  // surface points are needed where the patch counts and a little beyond: farther out they cost more than they help.
+  // The overlap is measured in the spacing of the point itself. So a dense region next to a coarse one adds few points.
+  // Off-surface points are needed where the patch counts and a little beyond. Farther out they cost more than they help.
   static Points points_of_side(const Surface_sample& sample, const Node& node, const Points& from, const int side,
                                const double overlap)
   {

@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// The signed distance at one point, which several patches may ask for: a search for all of them.
+// The signed distance at one point. Several patches may ask for it; it is searched for once.
 class Distance_at
 {
 public:

@@ -28,9 +28,10 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// The distance to the facets of a mesh. Its sign is that of the side of the pseudonormal at the closest point (Baerentzen and
-// Aanaes): of the facet, or where the point is on an edge the sum of its facets' normals, or at a vertex their sum weighted by
-// angle. If no facet has an area, but points have normals, it is the distance to these.
+// The distance to the facets of a mesh. Its sign tells the side of the pseudonormal at the closest point (Baerentzen and
+// Aanaes). The pseudonormal is the normal of the facet. On an edge it is the sum of the normals of the facets there. At a
+// vertex it is the sum of these normals, weighted by angle. If no facet has an area, but points have normals, this is the
+// distance to the points.
 class Facet_distance : public Signed_distance
 {
 public:
@@ -64,9 +65,10 @@ public:
   }
 
 private:
-  // of the interpolated normal to the direction of the distance: beyond, the former is of no use
+  // least cosine between the interpolated normal and the direction of the distance; below it, the interpolated normal is of no
+  // use
   static constexpr double least_cosine = 0.2;
-  // of a barycentric coordinate: the point is on the opposite edge
+  // largest barycentric coordinate of a point that is on the opposite edge
   static constexpr double on_edge = 1e-9;
 
   typedef std::pair<std::pair<std::size_t, std::size_t>, Vector> Edge_normal;
@@ -154,7 +156,7 @@ private:
   Point_distance m_point_distance;
   mutable std::once_flag m_is_built;
   mutable std::vector<Vector> m_facet_normals, m_vertex_normals;
-  mutable std::vector<Edge_normal> m_edge_normals; // one a facet at the edge, by edge
+  mutable std::vector<Edge_normal> m_edge_normals; // sorted by edge; one for each facet at an edge
 };
 
 } // namespace internal

@@ -40,12 +40,12 @@ struct Interpolation_coefficients
 {
   Eigen::VectorXd weights;      // alpha of the paper's (10)
   Eigen::VectorXd polynomial;   // beta, in the basis of the matrix P
-  double relative_residual = 0; // of the system, the largest, over the largest datum
+  double relative_residual = 0; // largest one of the system, over the largest datum
   double condition = 1;         // an estimate from below, by the pivots
   Solver solver = Solver::FAILED;
 
-  // beyond it, a solution is not accepted; the data are a small part of the spacing of the points, so that this is about
-  // 1e-8 of the spacing
+  // A solution with a larger residual is not accepted. The data are a small part of the spacing of the points, so this is about
+  // 1e-8 of the spacing.
   static constexpr double largest_residual = 1e-7;
 
   bool is_finite() const { return weights.allFinite() && polynomial.allFinite(); }
@@ -57,11 +57,11 @@ struct Interpolation_coefficients
   }
 };
 
-// Solves the paper's system (11), (A + lambda I, P; P^T, 0) (alpha, beta) = (f, 0), for one patch. lambda, the smoothing, is 0
+// Solves the paper's system (11), (A + lambda I, P; P^T, 0) (alpha, beta) = (f, 0), for one patch. lambda is the smoothing, 0
 // for interpolation. The interpolation matrix A of a conditionally positive definite function is definite on the null space of
-// P^T: with P = Q (R; 0) and Z the columns of Q beyond those of R, alpha = Z u and (Z^T A Z + lambda I) u = Z^T f, which
-// Cholesky solves in half of the time of LU. A template of the matrix, not of the kernel: compiled once for all kernels, and
-// not at all where no function is built.
+// P^T. With P = Q (R; 0) and Z the columns of Q beyond those of R, alpha = Z u and (Z^T A Z + lambda I) u = Z^T f. Cholesky
+// solves this in half of the time of LU. The class is a template of the matrix, not of the kernel. So it is compiled once for
+// all kernels, and not at all where no function is built.
 template <typename Dense_matrix>
 class Interpolation_system
 {
@@ -70,7 +70,8 @@ class Interpolation_system
   typedef Polynomial_null_space<Dense_matrix> Null_space;
 
 public:
-  // `matrix` makes A + lambda I, symmetric: once, as a rule, as it is overwritten by its factor, and once more after a failure
+  // `matrix` makes A + lambda I, which is symmetric. The factor overwrites that matrix. So `matrix` is called once, as a rule,
+  // and once more after a failure.
   Interpolation_system(std::function<Dense_matrix()> matrix, const Dense_matrix& polynomials, const Null_space& null_space)
     : m_matrix(std::move(matrix)), m_polynomials(polynomials), m_null_space(null_space)
   {
@@ -93,7 +94,7 @@ public:
   }
 
 private:
-  // over the right-hand side: less is not worth another step
+  // residual over the right-hand side; a larger one is worth another step
   static constexpr double good_residual = 1e-11;
 
   Interpolation_coefficients solve_on_null_space(const Column& data, const double ridge) const
@@ -115,14 +116,14 @@ private:
     result.weights = m_null_space.transformed_back(result.weights);
     const Column polynomial_right = right.head(q) - mixed * u;
     result.polynomial = m_null_space.solve_triangle(polynomial_right);
-    // Q is orthogonal, hence the residual in its coordinates is as large as that of (11)
+    // Q is orthogonal, so the residual in its coordinates is as large as that of (11).
     if (result.is_finite())
       result.relative_residual = Interpolation_coefficients::relative(residual, data);
     return result;
   }
 
-  // Overwrites `u` by the solution of the system with it as the right-hand side, and the lower triangle of the matrix by its
-  // factor; returns the largest residual, infinite if the matrix is not positive definite.
+  // Solves the system with the right-hand side `u` and overwrites `u` by the solution. Overwrites the lower triangle of the
+  // matrix by its factor. Returns the largest residual; it is infinite if the matrix is not positive definite.
   static double solve_definite(Matrix_reference matrix, const double ridge, Column& u, double& condition)
   {
     if (ridge > 0)
@@ -137,7 +138,7 @@ private:
     };
     const Eigen::ArrayXd pivots = matrix.diagonal();
     condition = pivots.size() > 0 ? std::pow(pivots.maxCoeff() / pivots.minCoeff(), 2) : 1.;
-    // the upper triangle still is the matrix's
+    // the upper triangle is still that of the matrix
     const auto residual = [&]() -> Column
     {
       Column r = right - diagonal.cwiseProduct(u);
@@ -156,8 +157,9 @@ private:
     return rest.template lpNorm<Eigen::Infinity>();
   }
 
-  // Cholesky's factor in the place of the lower triangle; false if the matrix is not positive definite. By halves down to a size
-  // that stays in the cache: for some hundred unknowns a fifth faster than Eigen's LLT with its narrow panels, and to compile.
+  // Writes Cholesky's factor over the lower triangle. Returns false if the matrix is not positive definite. Works by halves
+  // down to a size that stays in the cache. For some hundred unknowns this is a fifth faster than Eigen's LLT with its narrow
+  // panels. It is also faster to compile.
   static bool factorize(Matrix_reference matrix)
   {
     static constexpr Eigen::Index smallest = 32;
@@ -189,7 +191,8 @@ private:
     return true;
   }
 
-  // the whole indefinite system, for the data that the null space method cannot take: all of them in a plane, say
+  // Solves the whole indefinite system. It is for data that the null space method cannot take, for instance if all points are
+  // in a plane.
   Interpolation_coefficients solve_whole(const Column& data) const
   {
     const Eigen::Index n = m_polynomials.rows(), q = m_polynomials.cols();

@@ -23,8 +23,8 @@
 #include <utility>
 #include <vector>
 
-// Inlines all calls of a function, down to the last. In programs with many kernels GCC would otherwise leave operators of Eigen's
-// arrays as calls, which makes the inner loop four times slower.
+// Inlines all calls of a function, down to the last. In programs with many kernels GCC would otherwise leave operators of
+// Eigen's arrays as calls. That makes the inner loop four times slower.
 #if defined(__GNUC__)
 #  define CGAL_AHR_FLATTEN __attribute__((flatten))
 #else
@@ -45,14 +45,15 @@ struct Has_compact_support<RadialFunction, std::void_t<decltype(std::declval<con
 {
 };
 
-// The boxes about ranges of a sequence of blocks of centres, in preorder: to pass over those beyond the support of a kernel.
+// Boxes about ranges of a sequence of blocks of centres, in preorder. They serve to skip the blocks beyond the support of a
+// kernel.
 class Block_tree
 {
   struct Node
   {
     Eigen::Array3d low, high;
     std::size_t block = 0; // of a leaf
-    std::size_t skip = 0;  // the node after the subtree; the next one, of a leaf
+    std::size_t skip = 0;  // the node after the subtree; for a leaf, the next node
     bool is_leaf = true;
   };
 
@@ -176,7 +177,7 @@ public:
 
   const RadialFunction& function() const { return m_function; }
 
-  // `squared_distance` is that of the nearest centre, if it is within the support
+  // `squared_distance` becomes that to the nearest centre, if this is within the support
   template <int order>
   CGAL_AHR_FLATTEN Jet<order> evaluate(const Vector& y, double& squared_distance) const
   {

@@ -24,8 +24,8 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// the coordinates of a patch, y = (x - centre) / unit, in which the local spacing is 1: the systems and the sums have the same
-// size wherever the patch is and however large
+// The coordinates of a patch, y = (x - centre) / unit. In these the local spacing is 1. So the systems and the sums have the
+// same size, wherever the patch is and however large it is.
 struct Patch_frame
 {
   Vector centre = Vector::Zero();
@@ -86,7 +86,7 @@ public:
   }
 
   // A smooth function that is at most the distance to the nearest centre and close to it, in units of the frame.
-  // `squared_distance` is that distance, squared, for the scale of the sums.
+  // `squared_distance` is the square of that distance. It is the scale of the sums.
   template <int order>
   Jet<order> smooth_distance(const Vector& p, const double squared_distance) const
   {

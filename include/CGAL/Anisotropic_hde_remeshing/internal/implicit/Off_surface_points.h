@@ -23,10 +23,10 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// The offset eps_i of every off-surface point x_i + eps_i n_i (the paper's (12)), and, if both sides are asked for, of the
-// inner one, x_i - eps_i n_i. It is halved while the off-surface point is nearer to another point of the surface than to x_i:
-// there its distance to the surface is not eps_i, and the constraint would raise a sheet that the surface does not have. An
-// offset of 0 means that x_i has no off-surface point on that side.
+// The offset eps_i of every off-surface point x_i + eps_i n_i (the paper's (12)). If both sides are asked for, there is also
+// that of the inner point, x_i - eps_i n_i. An offset is halved while the off-surface point is nearer to another point of the
+// surface than to x_i. There its distance to the surface is not eps_i, and the constraint would make a sheet that the surface
+// does not have. An offset of 0 means that x_i has no off-surface point on that side.
 template <typename ConcurrencyTag>
 class Off_surface_points
 {
@@ -88,7 +88,7 @@ private:
     return true;
   }
 
-  std::vector<double> m_outer, m_inner; // the latter is empty for one side
+  std::vector<double> m_outer, m_inner; // m_inner is empty for one side
   std::vector<char> m_is_shortened;
 };
 

@@ -23,10 +23,10 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// The self-check of a patch. At places of the input, on its facets or at its points if it has none, the gradient must point
-// outward and the surface must be within the local spacing h; at a distance of h/4 to 2 h before and behind them the sign
-// must be that of the distance to the input. A wrong sign there is a sheet that the input does not have, or one that is missing.
-// Most signs are known without a distance: it is asked only where the function contradicts.
+// The self-check of a patch. It has places on the facets of the input, or at its points if it has no facets. There the gradient
+// must point outward, and the surface must be within the local spacing h. At a distance of h/4 to 2 h before and behind the
+// places, the sign must be that of the distance to the input. A wrong sign means a sheet that the input does not have, or one
+// that is missing. Most signs are known without a distance. The distance is asked for only where the function contradicts.
 class Patch_check
 {
 public:
@@ -38,9 +38,9 @@ public:
 
   Patch_check(const Surface_sample& sample, const Signed_distance& input) : m_sample(sample), m_input(input) {}
 
-  // Places have numbers, four a facet or one a point, and are made when they are asked for. Calls visit(number, place) for all of
-  // them: the centres of the facets, three more in facets that are large for the points around them, and the points if there are
-  // no facets. Degenerate facets have none.
+  // Places have numbers, four for a facet or one for a point. They are made when they are asked for. Calls visit(number, place)
+  // for all of them: for the centre of each facet, for three more in facets that are large for the points around them, and for
+  // the points if there are no facets. Degenerate facets have no places.
   template <typename Visitor>
   void visit_places(const Visitor& visit) const
   {
@@ -80,8 +80,8 @@ public:
 
   static constexpr std::size_t checks_of_place = 3;
 
-  // how many of the checks of a place a function fails, given by its Value_and_gradient and, faster, by its value alone;
-  // `parity` varies the distances
+  // The number of checks of a place that a function fails. The function is given by its Value_and_gradient and by its value
+  // alone, as the value is faster. `parity` varies the distances.
   template <typename Jet_of_function, typename Value_of_function>
   std::size_t failures(const Place& place, const std::size_t parity, const Jet_of_function& jet,
                        const Value_of_function& value_at) const
@@ -106,7 +106,7 @@ public:
 private:
   static constexpr double least_height = 1e-3;  // over the longest edge
   static constexpr double large_facet = 2;      // its longest edge, in units of the spacing of its points
-  static constexpr double least_distance = 0.2; // where the sign counts, in units of the spacing
+  static constexpr double least_distance = 0.2; // from here on the sign counts, in units of the spacing
 
   double longest_edge(const Facet& facet) const
   {

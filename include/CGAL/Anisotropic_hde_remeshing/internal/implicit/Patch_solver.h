@@ -32,7 +32,7 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// what may be changed to solve a patch once more
+// what can be changed to solve a patch once more
 struct Patch_settings
 {
   double offset_factor = 1;
@@ -64,15 +64,15 @@ class Patch_solver
   typedef typename Interpolant::Points Points;
   typedef Off_surface_points<ConcurrencyTag> Offsets;
 
-  // of the length of the mean normal: below, the patch has no common direction
+  // least length of the mean normal; below it, the patch has no common direction
   static constexpr double least_mean_normal = 0.5;
-  // of the polynomials on the centres
+  // least independence of the polynomials on the centres
   static constexpr double least_independence = 1e-5;
 
-  // below that many centres or above that density a dense system is as fast
+  // Below that many centres, or above that density, a dense system is as fast.
   static constexpr Eigen::Index least_sparse_size = 500;
   static constexpr double largest_density = 0.1;
-  // the dense system of a patch that was to be sparse may not fit into memory
+  // largest dense system for a patch that was to be sparse; a larger one may not fit into memory
   static constexpr Eigen::Index largest_dense_size = 10000;
 
   template <typename T, typename = void>
@@ -85,7 +85,7 @@ class Patch_solver
   };
 
 public:
-  // `unit_of_length` of the caller in the coordinates of the sample
+  // `unit_of_length` is that of the caller in the coordinates of the sample
   Patch_solver(const Surface_sample& sample, const Offsets& offsets, const RadialFunction& function,
                const double unit_of_length)
     : m_sample(sample), m_offsets(offsets), m_function(function), m_unit_of_length(unit_of_length)
@@ -152,7 +152,7 @@ private:
     return result;
   }
 
-  // centred in the box of the points, its unit the median of the spacings of those in its own cell
+  // Its centre is that of the box of the points. Its unit is the median of the spacings of the points in its own cell.
   Patch_frame frame_of(const Blending_tree::Leaf& leaf) const
   {
     Vector low = m_sample.points[leaf.points.front()], high = low;
@@ -169,7 +169,7 @@ private:
     return Patch_frame{0.5 * (low + high), *median};
   }
 
-  // of the points with off-surface points, normalised; zero if they look in too many directions
+  // the normalised mean normal of the points that have normals; zero if these look in too many directions
   Vector mean_normal(const Blending_tree::Leaf& leaf) const
   {
     Vector sum = Vector::Zero();

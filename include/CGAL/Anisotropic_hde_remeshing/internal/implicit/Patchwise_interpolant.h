@@ -35,7 +35,7 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// the parameters of the interpolant, checked; lengths in units of the local spacing but for the absolute offset
+// The parameters of the interpolant, checked. Lengths are in units of the local spacing, except for the absolute offset.
 struct Interpolation_parameters
 {
   std::size_t number_of_patches = 0; // 0: patches_of() the number of points
@@ -50,8 +50,8 @@ struct Interpolation_parameters
   static std::size_t patches_of(const std::size_t number_of_points) { return (number_of_points + 24) / 25; }
 };
 
-// The function s of the paper's Algorithm 1 in plain numbers: a local interpolant a patch, checked and repaired, blended by the
-// tree; far from the points the signed distance to the input.
+// The function s of the paper's Algorithm 1 in plain numbers. Each patch has a local interpolant that is checked and repaired.
+// The tree blends these. Far from the points the function is the signed distance to the input.
 template <typename RadialFunction, typename ConcurrencyTag>
 class Patchwise_interpolant
 {
@@ -61,22 +61,22 @@ class Patchwise_interpolant
   typedef std::shared_ptr<const Surface_sample> Sample_ptr;
   typedef std::shared_ptr<const Signed_distance> Distance_ptr;
 
-  // of the points that a patch in the plane would have
+  // largest number of points of a patch, over that of a patch in the plane
   static constexpr double largest_excess_of_points = 2;
   // a dense system of twice as many centres is the largest that is solved in seconds
   static constexpr std::size_t largest_dense_patch = 3000;
 
-  // From where to where the function passes from the interpolant to the signed distance, in units of the local spacing. The
+  // The function passes from the interpolant to the signed distance from here to there, in units of the local spacing. The
   // constraints reach one spacing from the points at most; two are checked.
   static constexpr double begin_of_far = 2.5, end_of_far = 3.5;
-  // the same in units of the support of the kernel, beyond which it says nothing
+  // The same in units of the support of the kernel. Beyond the support the interpolant says nothing.
   static constexpr double begin_of_support_end = 0.25, end_of_support_end = 0.4;
 
-  // of the checks of a patch, beyond which the input itself is better than the interpolant
+  // largest share of failed checks of a patch; beyond it, the input itself is better than the interpolant
   static constexpr double largest_share_of_failures = 0.05;
-  // beyond which nothing is tried
+  // beyond this share no repair is tried
   static constexpr double largest_repairable_share = 0.1;
-  // in place of a number of failures
+  // stands for a number of failures
   static constexpr std::size_t no_solution = std::size_t(1) << 40;
 
 public:
@@ -102,7 +102,7 @@ private:
     double begin_of_far = 0, end_of_far = 0; // in the unit of the interpolant
   };
 
-  // the numbers of the places of Patch_check at which a leaf counts, a leaf
+  // for each leaf, the numbers of the places of Patch_check at which the leaf counts
   typedef std::vector<std::vector<std::size_t>> Places;
 
   struct Patch_result
@@ -133,8 +133,8 @@ private:
     summarise(results);
   }
 
-  // Solves a patch and checks it. Where it fails, tries smaller offsets, smoothing, and that with a wider view, and keeps the
-  // best. If that is not good enough either, the patch is answered by the input itself.
+  // Solves a patch and checks it. If it fails, tries smaller offsets, smoothing, and smoothing with a wider view, and keeps the
+  // best solution. If that is not good enough either, the input itself answers for the patch.
   Patch_result solve_patch(const Solver_of_patch& solver, const Places& places, const Interpolation_parameters& parameters,
                            const std::size_t k)
   {
@@ -168,7 +168,7 @@ private:
     return best;
   }
 
-  // one solution of a patch; if there is none, its number of failures is infinite
+  // one solution of a patch; without a solution, the number of its failures is `no_solution`
   Patch_result attempt(const Solver_of_patch& solver, const Places& places, const std::size_t k,
                        const Blending_tree::Leaf& leaf, const Patch_settings& settings, Patch& patch) const
   {
@@ -216,7 +216,7 @@ private:
     }
   }
 
-  // that of the facet or the point, and one more for each further place
+  // the number of the facet or the point, and one more for each further place
   std::size_t parity(const std::size_t number) const { return m_sample->facets.empty() ? number : number / 4 + number % 4; }
 
   Places places_of_leaves() const
@@ -252,7 +252,7 @@ private:
     return interpolated(near, far, smoothstep(t));
   }
 
-  // a distance is linear but for the curvature of what it is measured to
+  // A distance is linear, except for the curvature of what it is measured to. So its Hessian is left at zero.
   template <int order>
   static Jet<order> constant_beyond_gradient(const Value_and_gradient& jet)
   {

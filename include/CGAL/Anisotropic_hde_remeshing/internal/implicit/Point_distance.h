@@ -27,9 +27,10 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// An estimate of the signed distance to the surface that points with normals are samples of: the mean of the signed distances
-// to the tangent planes of the nearest points, with weights (1/r_i - 1/r)^2 that vanish at the farthest, r, of them, so that
-// the value is continuous. The gradient is the mean of their normals, its derivative but for that of the weights.
+// An estimate of the signed distance to a surface. Points with normals are samples of this surface. The estimate is the mean of
+// the signed distances to the tangent planes of the nearest points. The weights are (1/r_i - 1/r)^2, with the distance r of the
+// farthest of these points. The weight of the farthest point is zero, so the value is continuous. The gradient is the mean of
+// the normals: the derivative of the value without that of the weights.
 class Point_distance : public Signed_distance
 {
   static constexpr unsigned int number_of_neighbors = 16;
@@ -48,7 +49,7 @@ public:
     for (const auto& neighbor : neighbors)
     {
       const std::size_t i = m_with_normal[neighbor.second];
-      // at a point itself its weight outweighs all others
+      // at a point of the sample, its own weight outweighs all others
       const double root = 1. / std::sqrt((std::max)(neighbor.first, 1e-28)) - farthest, weight = root * root;
       weights += weight;
       result.value += weight * m_sample->normals[i].dot(p - m_sample->points[i]);

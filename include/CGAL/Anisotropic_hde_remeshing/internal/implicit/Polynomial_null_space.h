@@ -19,9 +19,9 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// The coordinates in which the side condition P^T alpha = 0 of the paper's (11) is trivial: P = Q (R; 0) with q columns,
-// Q = I - V T V^T the product of q Householder reflections in compact form. The coordinates of Q^T alpha beyond the first q
-// are free, the first q vanish. Matrices of dynamic size throughout: fixed ones would be compiled once more for each shape. A
+// The coordinates in which the side condition P^T alpha = 0 of the paper's (11) is trivial. P = Q (R; 0) has q columns.
+// Q = I - V T V^T is the product of q Householder reflections in compact form. The first q coordinates of Q^T alpha vanish, the
+// others are free. All matrices have dynamic sizes: fixed ones would be compiled once more for each shape. The class is a
 // template so that it is compiled only where a function is built.
 template <typename Dense_matrix>
 class Polynomial_null_space
@@ -29,7 +29,7 @@ class Polynomial_null_space
   typedef Eigen::Matrix<typename Dense_matrix::Scalar, Eigen::Dynamic, 1> Column;
 
 public:
-  // Householder's reflections of a few columns. Eigen's class for it works by blocks, which took a tenth of the time to compile
+  // Householder's reflections of a few columns. Eigen's class for them works by blocks. It took a tenth of the time to compile
   // a program that uses the package.
   explicit Polynomial_null_space(Dense_matrix polynomials)
     : m_v(Dense_matrix::Zero(polynomials.rows(), polynomials.cols())),
@@ -83,8 +83,8 @@ public:
     return b - m_v * weights;
   }
 
-  // Replaces the symmetric A by Q^T A Q: with X = A V T and Y = X - V (T^T V^T X) / 2 it is A - V Y^T - Y V^T, one product
-  // instead of a sweep over A a reflection and side.
+  // Replaces the symmetric A by Q^T A Q. With X = A V T and Y = X - V (T^T V^T X) / 2 this is A - V Y^T - Y V^T. It takes one
+  // product, instead of a sweep over A for each reflection and side.
   void transform(Dense_matrix& matrix) const
   {
     const Eigen::Index q = number_of_polynomials();

@@ -38,15 +38,15 @@ struct Quadratic_polynomial
   }
 };
 
-// The polynomials that the interpolant of a patch carries: constant and linear ones, as conditionally positive definite kernels
-// of order 2 need, whatever the kernel, so that planes are reproduced; and the squares and the product of two coordinates
-// along the surface. Those let the interpolant bend as the surface does where the data of the patch end, instead of going
-// flat, which is what limits the accuracy of patches. Squares across the surface would be determined by nothing but the tiny
-// offsets.
+// The polynomials of the interpolant of a patch. Constant and linear ones are there for every kernel, so that planes are
+// reproduced. Conditionally positive definite kernels of order 2 need them. Then there are the squares and the product of
+// two coordinates along the surface. They let the interpolant bend as the surface does where the data of the patch end. Without
+// them it would go flat there, and that would limit the accuracy of patches. Only the tiny offsets would determine squares
+// across the surface, so there are none.
 class Polynomial_basis
 {
 public:
-  // `normal` of unit length; zero if the points of the patch have no common direction: then no squares
+  // `normal` has unit length. It is zero if the points of the patch have no common direction: then there are no squares.
   explicit Polynomial_basis(const Vector& normal) : m_has_squares(!normal.isZero(0))
   {
     if (!m_has_squares)

@@ -17,18 +17,18 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// The signed distance to the input itself: what the function is far from the surface, where interpolants only extrapolate, and
-// where no interpolant is good enough. The judge of the self-check, too.
+// The signed distance to the input itself. The function is this distance far from the surface, where interpolants only
+// extrapolate, and where no interpolant is good enough. The self-check judges by it, too.
 class Signed_distance
 {
 public:
   virtual ~Signed_distance() = default;
 
-  // negative inside, with its gradient
+  // the distance, negative inside, with its gradient
   virtual Value_and_gradient distance(const Vector& p) const = 0;
 
-  // The same value with the interpolated normals of the input as the direction of the gradient, so long that Newton's step
-  // along it ends on the input: a surface whose normals do not jump.
+  // The same value, with a gradient along the interpolated normals of the input. The gradient is so long that Newton's step
+  // along it ends on the input. This makes a surface whose normals do not jump.
   virtual Value_and_gradient with_interpolated_normals(const Vector& p) const = 0;
 };
 

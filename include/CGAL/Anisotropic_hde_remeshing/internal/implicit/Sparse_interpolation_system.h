@@ -24,9 +24,9 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// The same system for a positive definite function of compact support, whose matrix A is sparse: alpha = A^-1 (f - P beta)
-// with (P^T A^-1 P) beta = P^T A^-1 f, A factorised by sparse Cholesky. A template, so that it is compiled for those only
-// who use such a function.
+// The same system for a positive definite function of compact support. Its matrix A is sparse. The solution is
+// alpha = A^-1 (f - P beta) with (P^T A^-1 P) beta = P^T A^-1 f, and sparse Cholesky factorises A. The class is a template so
+// that it is compiled only for those who use such a function.
 template <typename Sparse_matrix>
 class Sparse_interpolation_system
 {

@@ -26,9 +26,9 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// The map of the coordinates of the caller to those in which the function is built: the box about the points is centred at the
-// origin and its diagonal is in [1/2, 1), so that neither a large nor a small unit nor a far origin harms. The scale is a power
-// of two: it rounds nothing.
+// The map from the coordinates of the caller to those in which the function is built. There the box about the points is centred
+// at the origin, and its diagonal is in [1/2, 1). So neither a large nor a small unit nor a far origin harms. The scale is a
+// power of two: it rounds nothing.
 struct Normalization
 {
   Vector centre = Vector::Zero();
@@ -58,13 +58,13 @@ inline Normalization normalize(std::vector<Vector>& points)
   return result;
 }
 
-// What the implicit function is built from: points of the surface, normalised, their unit normals, the distance to their
-// neighbours, and the facets between them if they are the vertices of a mesh.
+// What the implicit function is built from: points of the surface, normalised, their unit normals, and the distances to their
+// neighbours. If the points are the vertices of a mesh, there are also the facets between them.
 struct Surface_sample
 {
   Normalization normalization;
   std::vector<Vector> points;
-  std::vector<Vector> normals; // zero: unknown, the point has no off-surface points
+  std::vector<Vector> normals; // zero if unknown: the point has no off-surface points
   std::vector<double> spacings;
   std::vector<Facet> facets;
   std::size_t number_of_isolated_vertices = 0;
@@ -78,8 +78,8 @@ inline std::size_t memory_bytes_of(const Surface_sample& sample)
   return sample.size() * (2 * sizeof(Vector) + sizeof(double)) + sample.facets.size() * sizeof(Facet);
 }
 
-// Equal points would make the system of their patch singular: the first of them stays, with the mean of their normals,
-// which is zero, hence no off-surface point, where they cancel.
+// Equal points would make the system of their patch singular. The first of them stays, with the mean of their normals. Where
+// the normals cancel, the mean is zero, and the point has no off-surface point.
 inline void merge_duplicate_points(Surface_sample& sample)
 {
   std::vector<std::size_t> order(sample.size());
@@ -89,7 +89,8 @@ inline void merge_duplicate_points(Surface_sample& sample)
   std::sort(order.begin(), order.end(),
             [&](const std::size_t i, const std::size_t j) { return std::make_pair(key(i), i) < std::make_pair(key(j), j); });
   std::vector<char> is_kept(sample.size(), 1);
-  std::vector<std::size_t> kept(sample.size()), new_index(sample.size()); // by old index: who stands for it, and where
+  // by old index: the point that stands for it, and the new index of that point
+  std::vector<std::size_t> kept(sample.size()), new_index(sample.size());
   std::iota(kept.begin(), kept.end(), std::size_t(0));
   for (std::size_t k = 0, first = 0; k < order.size(); ++k)
   {

@@ -35,7 +35,7 @@ Eigen::MatrixXd interpolation_matrix(const Eigen::Matrix<double, 3, Eigen::Dynam
   Eigen::MatrixXd matrix(n, n);
   const Eigen::ArrayXd x = centres.row(0), y = centres.row(1), z = centres.row(2);
   Eigen::ArrayXd squared_radius(n), value(n), unused(n);
-  // column by column: to mirror a triangle would be slower than to compute both
+  // column by column: mirroring a triangle would be slower than computing both
   for (Eigen::Index j = 0; j < n; ++j)
   {
     squared_radius = (x - x[j]).square() + (y - y[j]).square() + (z - z[j]).square();
@@ -46,7 +46,7 @@ Eigen::MatrixXd interpolation_matrix(const Eigen::Matrix<double, 3, Eigen::Dynam
   return matrix;
 }
 
-// the share of the entries that a function of compact support leaves different from zero, from a sample of the rows
+// the share of the entries that are not zero, for a function of compact support, from a sample of the rows
 template <typename RadialFunction>
 double density_of_interpolation_matrix(const Eigen::Matrix<double, 3, Eigen::Dynamic>& centres, const RadialFunction& function)
 {

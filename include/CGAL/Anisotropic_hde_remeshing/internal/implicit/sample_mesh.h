@@ -31,14 +31,14 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// The normal of a vertex is the mean of its faces' unit normals, weighted by the angles of the faces at the vertex, which
-// does not depend on how the surface is triangulated; its spacing is the mean length of its edges. `point_of` gives the
-// normalised point of a vertex.
+// The normal of a vertex is the mean of the unit normals of its faces, weighted by the angles of the faces at the vertex. It
+// does not depend on how the surface is triangulated. The spacing of a vertex is the mean length of its edges. `point_of` gives
+// the normalised point of a vertex.
 template <typename TriangleMesh, typename PointOf>
 void normal_and_spacing(const typename boost::graph_traits<TriangleMesh>::vertex_descriptor v, const TriangleMesh& tmesh,
                         const PointOf& point_of, Vector& normal, double& spacing)
 {
-  const Vector& p = point_of(v); // where it is a temporary, it lives on
+  const Vector& p = point_of(v); // the reference keeps a temporary alive
   normal.setZero();
   spacing = 0;
   std::size_t degree = 0;
@@ -59,7 +59,7 @@ void normal_and_spacing(const typename boost::graph_traits<TriangleMesh>::vertex
     normal.normalize();
 }
 
-// polygons as fans
+// the facets of a mesh; polygons are divided into fans
 template <typename TriangleMesh, typename IndexOf>
 std::vector<Facet> facets_of(const TriangleMesh& tmesh, const IndexOf& index_of)
 {
@@ -75,7 +75,7 @@ std::vector<Facet> facets_of(const TriangleMesh& tmesh, const IndexOf& index_of)
 }
 
 // `VertexNormalMap` may be internal_np::Param_not_found: then the normals are computed. The normals of the caller are
-// normalised; a zero one is kept, and means that the vertex has no off-surface point.
+// normalised. A zero one is kept. It means that the vertex has no off-surface point.
 template <typename TriangleMesh, typename VertexPointMap, typename VertexNormalMap>
 Surface_sample sample_mesh(const TriangleMesh& tmesh, const VertexPointMap vpm, const VertexNormalMap vnm,
                            Interruption& interruption)

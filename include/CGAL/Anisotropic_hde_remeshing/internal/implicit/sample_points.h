@@ -29,7 +29,7 @@ void compute_spacings(Surface_sample& sample, Interruption& interruption)
 {
   static constexpr unsigned int number_of_neighbors = 6;
   if (sample.points.empty())
-    return; // which a search tree does not like
+    return; // a search tree needs points
   const Point_search search(sample.points);
   parallel_for<ConcurrencyTag>(
       sample.size(),

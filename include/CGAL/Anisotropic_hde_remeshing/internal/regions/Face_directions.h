@@ -34,8 +34,8 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// The normals of the faces and the angles at the edges. A face so thin that the rounding of its points turns it has the normal
-// of its neighbour across the longest edge: it is taken for a part of it.
+// The normals of the faces and the angles at the edges. A face may be so thin that the rounding of its points turns it. It is
+// then taken for a part of its neighbour across the longest edge, and has the normal of this neighbour.
 template <typename TriangleMesh, typename VertexPointMap>
 class Face_directions
 {
@@ -45,7 +45,7 @@ class Face_directions
   typedef typename Graph_traits::face_descriptor Face;
   typedef typename boost::property_map<TriangleMesh, dynamic_face_property_t<std::size_t>>::const_type Face_number_map;
 
-  // of a face, as a share of the size of its component: files have six digits
+  // the least height of a face that is not thin, as a share of the size of its component: files have six digits
   static constexpr double least_height = 3e-6;
 
 public:
@@ -122,7 +122,7 @@ private:
     }
   }
 
-  // from face to thin face across the longest edges first
+  // from face to thin face, across the longest edges first
   void lend_normals()
   {
     typedef std::tuple<double, std::size_t, Halfedge> Way; // into the face of the halfedge
@@ -157,7 +157,7 @@ private:
   const VertexPointMap m_vpm;
   Face_number_map m_number, m_component;
   std::vector<double> m_component_sizes;
-  std::vector<Vector> m_normals; // and the next by number of the face
+  std::vector<Vector> m_normals; // this and the next by number of the face
   std::vector<bool> m_is_thin;
 };
 

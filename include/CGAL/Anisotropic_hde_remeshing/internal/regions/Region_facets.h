@@ -23,11 +23,11 @@ namespace Anisotropic_hde_remeshing {
 namespace internal {
 
 // The distance to the plane through the closest point of a region's facets, perpendicular to the interpolated normal there. The
-// zero set is the facets, which beyond the boundary of the region go on along their tangent planes: other than a distance to the
-// closest point it does not turn there, so that it can be intersected with that of the region next to it.
+// zero set is the facets. Beyond the boundary of the region it goes on along their tangent planes. A distance to the closest
+// point would turn there. As this one does not, its zero set can be intersected with that of the region next to it.
 class Region_facets
 {
-  // of the interpolated normal to that of the facet: beyond, the former is of no use
+  // the least cosine between the interpolated normal and that of the facet; below it, the interpolated normal is of no use
   static constexpr double least_cosine = 0.2;
 
 public:

@@ -61,8 +61,8 @@ inline Region_plane best_plane(const std::vector<Vector>& points, const double s
     covariance += ((p - plane.point) / size) * ((p - plane.point) / size).transpose();
   const Eigen::SelfAdjointEigenSolver<Matrix> axes(covariance);
   plane.normal = axes.eigenvectors().col(0);
-  // The squares of a covariance lose digits where a region is much longer than wide. What the normal is off by, towards each of
-  // the axes in the plane, follows from the heights themselves. (A singular value decomposition loses none, but Eigen's takes a
+  // The squares of a covariance lose digits where a region is much longer than wide. So the normal is corrected towards each of
+  // the axes in the plane, by the heights themselves. (A singular value decomposition loses no digits, but Eigen's one takes a
   // tenth of the time to compile a program with this package.)
   for (const Eigen::Index axis : {1, 2})
   {
@@ -81,8 +81,8 @@ inline Region_plane best_plane(const std::vector<Vector>& points, const double s
   return plane;
 }
 
-// The plane of a region, looking to where its faces look, if all its points are in one within `tolerance`, and within a hundredth
-// of its own size.
+// The plane of a region. All its points must be in the plane within `tolerance`, and within a hundredth of the size of the
+// region. The plane looks to where the faces look.
 inline std::optional<Region_plane> plane_of(const Region_mesh& region, const double tolerance)
 {
   std::vector<Vector> points;
@@ -104,7 +104,7 @@ inline std::optional<Region_plane> plane_of(const Region_mesh& region, const dou
     projected_area += plane.normal.dot(twice);
     area += twice.norm();
   }
-  // no side to look to: folded, or without an area
+  // The region is folded or has no area: there is no side to look to.
   if (!(std::abs(projected_area) > 0.5 * area))
     return std::nullopt;
   if (projected_area < 0)

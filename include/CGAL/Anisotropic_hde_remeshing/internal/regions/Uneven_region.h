@@ -30,8 +30,8 @@ namespace Anisotropic_hde_remeshing {
 namespace internal {
 
 // Machine parts have triangles that are long along the axis of a cylinder and short around it. An interpolant knows no axis: it
-// bulges between points that are so unevenly far from each other. Such a region is sampled more densely, on the cubic curves over
-// its long edges that the normals at their ends ask for.
+// bulges between points at such uneven distances. So such a region is sampled more densely. The points are on cubic curves over
+// its long edges, which follow from the normals at the ends.
 class Uneven_region
 {
   typedef Region_mesh::Vertex_index Vertex_index;
@@ -39,21 +39,22 @@ class Uneven_region
   typedef Region_mesh::Edge_index Edge_index;
   typedef Simple_cartesian<double>::Vector_3 Normal;
 
-  // of the length of an edge to that of the short edges at its ends, from which on it is long, and after it is divided
+  // The length of an edge over that of the short edges at its ends: an edge is long from the first ratio on, and is divided
+  // into parts of the second ratio.
   static constexpr double long_ratio = 4, divided_ratio = 2;
-  // the angle, in radians, by which normals turn over the length of a long edge: less is no harm
+  // the least angle, in radians, by which normals turn over the length of a long edge; less does no harm
   static constexpr double least_turn = 0.2;
-  // an edge is a diagonal between two others if one of them turns less than this share of it
+  // An edge is a diagonal if the normal turns less over another edge of its faces. The bound is this share of its own turn.
   static constexpr double turn_of_side = 0.5;
   static constexpr double most_parts = 200;
-  // of the points added to those of the region, beyond which it is uneven
+  // least share of added points, relative to those of the region, for which the region is uneven
   static constexpr double least_growth = 0.1;
 
   struct Shape
   {
     Vector normal = Vector::Zero();
     double short_length = 0; // of the second shortest edge
-    double turn = 0;         // of the normal on the way to a neighbour, largest, in radians for the unit of length
+    double turn = 0;         // largest turn of the normal on the way to a neighbour, in radians per unit of length
   };
 
 public:
@@ -71,7 +72,7 @@ public:
       measure(v);
   }
 
-  // with those of the vertices; none if the region is even
+  // the added points with those of the vertices; none if the region is even
   Points_with_normals points() const
   {
     Points_with_normals result;
@@ -130,7 +131,8 @@ private:
     return false;
   }
 
-  // adds points of the cubic curve from a to b whose directions at the ends are that of the edge, in their tangent planes
+  // Adds points of the cubic curve from a to b. Its directions at the ends are that of the edge, projected to the tangent
+  // planes there.
   void divide(const Edge_index e, Points_with_normals& result) const
   {
     const Shape &s = shape(e, 0), &t = shape(e, 1);

@@ -30,9 +30,9 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// A crease that fades out ends inside a region, which it has on both sides: one smooth function would round it off. From its
-// tip it is extended to the next crease or boundary, along edges that are as sharp and as few as can be, so that it has a region on
-// each side.
+// A crease that fades out ends inside a region. This region is on both of its sides, and one smooth function would round the
+// crease off. So the crease is extended from its tip to the next crease or boundary, along edges that are as sharp and as few
+// as can be. Then it has a region on each side.
 template <typename TriangleMesh, typename Directions>
 class Dart_extension
 {
@@ -43,9 +43,9 @@ class Dart_extension
   typedef typename boost::property_map<TriangleMesh, dynamic_vertex_property_t<std::size_t>>::const_type Vertex_number_map;
   typedef boost::disjoint_sets_with_storage<> Disjoint_sets;
 
-  // of the cost of an edge, its length, what is saved where it is as sharp as a crease
+  // the share of its length that an edge costs less if it is as sharp as a crease
   static constexpr double bonus_of_sharpness = 0.9;
-  // of the cost of an extension, over the length of the dart: to cut more smooth surface than crease is not worth it
+  // the largest cost of an extension, over the length of the dart: to cut more smooth surface than crease is not worth it
   static constexpr double largest_cost = 0.5;
 
 public:
@@ -62,8 +62,8 @@ public:
     m_ways.assign(number, Graph_traits::null_halfedge());
   }
 
-  // Marks the edges of the extensions as creases and returns them. `region` numbers the regions between the creases, of which those
-  // found by their angle may be darts.
+  // Marks the edges of the extensions as creases and returns them. `region` numbers the regions between the creases. Only
+  // creases that were found by their angle may be darts.
   template <typename FaceRegionMap, typename EdgeIsCreaseMap>
   std::vector<Edge> operator()(const FaceRegionMap region, const std::vector<Edge>& found_by_angle,
                                const EdgeIsCreaseMap is_crease)
@@ -115,7 +115,7 @@ private:
     return degree == 1;
   }
 
-  // on the boundary, on a crease between two regions, or on a dart that is not of the network
+  // whether it is on the boundary, on a crease between two regions, or on a dart that is not of the network
   template <typename EdgeIsCreaseMap, typename FaceRegionMap>
   bool is_on_other_curve(const Vertex v, const EdgeIsCreaseMap is_crease, const FaceRegionMap region, Disjoint_sets& networks,
                          const std::size_t network) const
@@ -137,7 +137,7 @@ private:
     return m_directions.length(e) * (1 - bonus_of_sharpness * sharpness);
   }
 
-  // by Dijkstra's algorithm; ties are decided by the numbers of the vertices
+  // By Dijkstra's algorithm. The numbers of the vertices decide ties.
   template <typename IsGoal, typename EdgeIsCreaseMap>
   void extend(const Vertex tip, const double largest, const IsGoal& is_goal, const EdgeIsCreaseMap is_crease,
               std::vector<Edge>& result)
@@ -187,7 +187,7 @@ private:
   const double m_sharp_angle;
   Vertex_number_map m_number;
   std::vector<double> m_costs;  // by number of the vertex; infinite between two searches
-  std::vector<Halfedge> m_ways; // likewise: the last halfedge on the way to it
+  std::vector<Halfedge> m_ways; // by number of the vertex: the last halfedge on the way to it
 };
 
 } // namespace internal

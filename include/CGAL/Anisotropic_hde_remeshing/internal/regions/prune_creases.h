@@ -30,9 +30,9 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// Takes back the creases that are but noise: those about specks, and darts, the creases that have the same region on both sides,
-// if they are short. Measured: at 60 degrees noise of scans has regions of at most 5 faces and 2% of the mesh in size, and darts
-// of at most 7% of it; regions of machine parts that have as few faces are larger, and their darts longer, most of them.
+// Takes back the creases that are only noise: those about specks, and short darts. A dart is a crease with the same region on
+// both sides. Measured: at 60 degrees noise of scans has regions of at most 5 faces and 2% of the mesh in size, and darts of at
+// most 7% of it. Regions of machine parts that have as few faces are larger. Most of their darts are longer.
 template <typename TriangleMesh, typename VertexPointMap>
 class Crease_pruning
 {
@@ -44,17 +44,17 @@ class Crease_pruning
   typedef boost::disjoint_sets_with_storage<> Disjoint_sets;
   typedef Face_directions<TriangleMesh, VertexPointMap> Directions;
 
-  // of a speck, which has no more faces and whose box is smaller, as a share of the size of its component
+  // A speck has at most so many faces, and its box is smaller than this share of the size of its component.
   static constexpr std::size_t most_faces_of_speck = 8;
   static constexpr double size_of_speck = 0.03;
-  // of the length of a dart, as a share of the size of its component
+  // the least length of a dart that is kept, as a share of the size of its component
   static constexpr double least_length_of_dart = 0.08;
 
 public:
   Crease_pruning(const TriangleMesh& tmesh, const Directions& directions) : m_tmesh(tmesh), m_directions(directions) {}
 
-  // `region` numbers the regions between the creases, below `number_of_regions`. Returns the number of specks that are joined to
-  // others.
+  // `region` numbers the regions between the creases, below `number_of_regions`. Returns the number of specks that are joined
+  // to others.
   template <typename FaceRegionMap, typename EdgeIsCreaseMap>
   std::size_t operator()(const FaceRegionMap region, const std::size_t number_of_regions,
                          const std::vector<Edge>& found_by_angle, const EdgeIsCreaseMap is_crease) const
@@ -75,7 +75,7 @@ private:
   Face left(const Edge e) const { return face(halfedge(e, m_tmesh), m_tmesh); }
   Face right(const Edge e) const { return face(opposite(halfedge(e, m_tmesh), m_tmesh), m_tmesh); }
 
-  // Takes the creases from the weakest to the sharpest, and opens those at which a region is a speck: a bump of many facets
+  // Takes the creases from the weakest to the sharpest, and opens those at which a region is a speck. So a bump of many facets
   // becomes one region before it is joined to what is around.
   template <typename FaceRegionMap, typename EdgeIsCreaseMap>
   std::size_t join_specks(const FaceRegionMap region, const std::size_t number_of_regions,

@@ -59,8 +59,8 @@ std::size_t checked_number_of_regions(const FaceGraph& mesh, const FaceRegionMap
   return has_face.size();
 }
 
-// The regions as meshes of their own. Where a region touches itself in a vertex, each of its fans there has a vertex of its own,
-// so that they are manifold.
+// The regions as meshes of their own. Where a region touches itself in a vertex, each of its fans there gets its own vertex. So
+// the meshes are manifold.
 template <typename FaceGraph, typename VertexPointMap, typename FaceRegionMap>
 std::vector<Region_mesh> split_regions(const FaceGraph& mesh, const VertexPointMap vpm, const FaceRegionMap face_region,
                                        Interruption& interruption)
@@ -68,7 +68,8 @@ std::vector<Region_mesh> split_regions(const FaceGraph& mesh, const VertexPointM
   typedef boost::graph_traits<FaceGraph> Graph_traits;
   typedef typename Graph_traits::halfedge_descriptor Halfedge;
   const std::size_t number_of_regions = checked_number_of_regions(mesh, face_region);
-  const auto corner = get(dynamic_halfedge_property_t<std::size_t>(), mesh); // of the face of a halfedge, at its target
+  // the corner of the face of a halfedge at its target
+  const auto corner = get(dynamic_halfedge_property_t<std::size_t>(), mesh);
   std::size_t number_of_corners = 0;
   for (const Halfedge h : halfedges(mesh))
     put(corner, h, number_of_corners++);
