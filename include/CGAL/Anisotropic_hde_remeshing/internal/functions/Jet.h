@@ -17,8 +17,8 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// The value of a function at a point with its derivatives up to the order. Algorithms that are written for jets serve the
-// value alone, the value and gradient of the projection, and the Hessian of the curvatures.
+// The value of a function at a point with its derivatives up to the order. Algorithms for jets serve three purposes: order 0 is
+// the value alone, order 1 has the gradient for the projection, and order 2 the Hessian for the curvatures.
 template <int order_>
 struct Jet;
 

@@ -21,8 +21,8 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// The signed distance along the gradient to the zero set of any function, by Newton's method: its absolute value is never less
-// than the distance, and differs from it in third order.
+// The signed distance along the gradient to the zero set of any function, by Newton's method. Its absolute value is never less
+// than the distance, and differs from the distance in third order.
 template <typename Function>
 class Surface_distance
 {
@@ -36,7 +36,7 @@ public:
     Vector normal;   // of the zero set
   };
 
-  // `unit` of the coordinates, in that of the function
+  // `unit` is the unit of the coordinates, in that of the function
   explicit Surface_distance(const Function& function, const double unit = 1) : m_function(function), m_unit(unit) {}
 
   // looks no further than `largest`

@@ -20,8 +20,8 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// A part of the surface that is smooth, by the number of the piece of the function that it is the zero set of. A smooth surface
-// is one region, 0.
+// A smooth part of the surface. It has the number of a piece of the function, and is in the zero set of this piece. A smooth
+// surface is one region, 0.
 typedef std::uint32_t Region;
 
 // The functions below make all functions look piecewise. A model of `PiecewiseImplicitFunction` has its pieces. A model of

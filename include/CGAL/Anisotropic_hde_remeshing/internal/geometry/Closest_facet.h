@@ -38,7 +38,7 @@ namespace internal {
 
 typedef std::array<std::size_t, 3> Facet; // the indices of its vertices
 
-// The closest point of a set of facets. The search tree is built at the first query, which many runs never make; degenerate
+// The closest point of a set of facets. The search tree is built at the first query, as many runs never make one. Degenerate
 // facets are left out. Thread-safe.
 class Closest_facet
 {

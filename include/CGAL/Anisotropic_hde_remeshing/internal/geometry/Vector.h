@@ -25,7 +25,7 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// the numbers in which both halves of the package compute, whatever the kernel of the caller
+// the numbers in which both halves of the package compute, for any kernel of the caller
 typedef Eigen::Vector3d Vector;
 typedef Eigen::Matrix3d Matrix;
 
@@ -36,12 +36,12 @@ Vector to_vector(const Point_or_vector& p)
   return Vector(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
 }
 
-// the same, refused if it is not finite
+// the same; throws if it is not finite
 template <typename Point_or_vector>
 Vector finite_vector(const Point_or_vector& p, const char* what, const std::size_t index)
 {
   Vector result = to_vector(p);
-  // far below the largest double, so that no square of a difference overflows
+  // This bound is far below the largest double, so that no square of a difference overflows.
   if (!(result.array().abs() < 1e150).all())
   {
     std::ostringstream message;

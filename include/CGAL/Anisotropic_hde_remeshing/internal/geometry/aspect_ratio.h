@@ -24,8 +24,8 @@ namespace internal {
 // R / (2 r) of a triangle of three points that are not collinear: 1 for the equilateral one
 inline double aspect_ratio(const Vector& p, const Vector& q, const Vector& r)
 {
-  // Edges relative to the longest, so that no product overflows or vanishes whatever the unit of the mesh. The cross
-  // product of the two shorter ones is the one with the least cancellation.
+  // Edges are relative to the longest one. So no product overflows or vanishes, whatever the unit of the mesh. The cross
+  // product of the two shorter edges has the least cancellation.
   std::array<Vector, 3> sides = {q - p, r - q, p - r};
   const double scale = (std::max)({sides[0].norm(), sides[1].norm(), sides[2].norm()});
   if (!(scale > 0))

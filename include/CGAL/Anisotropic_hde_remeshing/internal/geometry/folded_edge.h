@@ -19,8 +19,8 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// The normal of a triangle by two of its edges, of the length of twice the area; zero if its height is so small that the
-// direction would be one of rounding: such a triangle folds over no edge.
+// The normal of a triangle by two of its edges, of the length of twice the area. It is zero if the height of the triangle is so
+// small that its direction would be due to rounding. Such a triangle folds over no edge.
 inline Vector triangle_normal(const Vector& ab, const Vector& ac)
 {
   static constexpr double smallest_flatness = 1e-10; // of the height to the longest edge
@@ -30,7 +30,7 @@ inline Vector triangle_normal(const Vector& ab, const Vector& ac)
   return normal.squaredNorm() > smallest * smallest ? normal : Vector(Vector::Zero());
 }
 
-// cosine of the angle between the normals of two faces below which they count as folded over their edge: 143 degrees
+// Two faces count as folded over their edge if the cosine of the angle between their normals is below this: 143 degrees.
 constexpr double fold_cosine = -0.8;
 
 // by their normals of any length

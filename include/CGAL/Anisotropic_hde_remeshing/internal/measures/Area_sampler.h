@@ -36,8 +36,8 @@ std::size_t number_of_samples_parameter(const NamedParameters& np)
     return checked_count("number_of_points_on_faces", parameters::get_parameter(np, internal_np::number_of_points_on_faces));
 }
 
-// The i-th of n points spread evenly over the area of a mesh. No random numbers: the same points on every machine, and
-// any thread can ask for any of them.
+// The i-th of n points spread evenly over the area of a mesh. There are no random numbers: the points are the same on every
+// machine, and any thread can ask for any of them.
 class Area_sampler
 {
 public:
@@ -54,8 +54,8 @@ public:
 
   Vector operator()(const std::size_t i) const
   {
-    // Stratified over the area, a two-dimensional Kronecker sequence inside the faces: its steps are the powers of the
-    // root of x^3 = x + 1, which spread the points best.
+    // The points are stratified over the area. Inside the faces they are a two-dimensional Kronecker sequence. Its steps are
+    // the powers of the root of x^3 = x + 1, which spread the points best.
     const double step_u = 0.75487766624669276, step_v = 0.56984029099805327;
     double integer_part;
     double u = std::modf(0.5 + static_cast<double>(i) * step_u, &integer_part);
@@ -70,7 +70,7 @@ public:
     return origin + u * (m_mesh.points[vertices[1]] - origin) + v * (m_mesh.points[vertices[2]] - origin);
   }
 
-  // on which the point lies
+  // the face on which the point lies
   std::size_t face(const std::size_t i) const
   {
     const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(m_number_of_samples);
@@ -92,8 +92,8 @@ struct Rms_and_max
   double max = 0;
 };
 
-// of `distance(i)` for i in [0, n). The distances are computed in parallel and added in order, so that the sum does not
-// depend on the threads.
+// of `distance(i)` for i in [0, n). The distances are computed in parallel and added in order, so the sum does not depend on
+// the threads.
 template <typename ConcurrencyTag, typename Distance>
 Rms_and_max rms_and_max(const std::size_t n, const Distance& distance)
 {
@@ -101,7 +101,7 @@ Rms_and_max rms_and_max(const std::size_t n, const Distance& distance)
   parallel_for<ConcurrencyTag>(n, [&](const std::size_t i) { distances[i] = distance(i); });
   Rms_and_max result;
   for (const double d : distances)
-    if (!(d <= result.max) && !std::isnan(result.max)) // a distance that is no number stays, std::max would lose it
+    if (!(d <= result.max) && !std::isnan(result.max)) // std::max would lose a distance that is no number
       result.max = d;
   if (result.max == 0 || !std::isfinite(result.max))
   {

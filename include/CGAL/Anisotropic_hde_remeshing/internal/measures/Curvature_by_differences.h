@@ -23,7 +23,8 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// The principal curvatures of the level set through p, by central differences of the unit normal: any function has a gradient.
+// The principal curvatures of the level set through p, by central differences of the unit normal. So any function with a
+// gradient will do.
 struct Curvature_by_differences
 {
   double flatter = 0, steeper = 0;           // of the smaller and of the larger absolute value

@@ -36,9 +36,9 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// A triangle mesh in arrays: what all measures need, read from any face graph in one pass. Isolated vertices are only
-// counted; the others are numbered in the order of `vertices()`. With a piecewise function it is cut along the creases: a vertex
-// there is one for each region, as is an edge, and counts as one of the boundary.
+// A triangle mesh in arrays: what all measures need, read from any face graph in one pass. Isolated vertices are only counted.
+// The others are numbered in the order of `vertices()`. With a piecewise function the mesh is cut along the creases: a vertex
+// or an edge there is one for each region. A vertex on a crease counts as one of the boundary.
 struct Measured_mesh
 {
   std::vector<Vector> points;
@@ -87,7 +87,7 @@ class Mesh_reader
   typedef typename boost::graph_traits<TriangleMesh>::halfedge_descriptor halfedge_descriptor;
   typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor edge_descriptor;
   typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
-  // not the internal indices: those of a mesh with removed elements have gaps
+  // The internal indices would not do: those of a mesh with removed elements have gaps.
   typedef typename boost::property_map<TriangleMesh, dynamic_vertex_property_t<std::size_t>>::const_type Index_map;
   typedef typename boost::property_map<TriangleMesh, dynamic_halfedge_property_t<bool>>::const_type Visited_map;
 
@@ -146,7 +146,7 @@ private:
 
   Region region(const face_descriptor f) const { return static_cast<Region>(get(m_face_region, f)); }
 
-  // of a vertex in a region
+  // the index of a vertex in a region
   std::size_t index(const vertex_descriptor v, const Region region) const
   {
     std::size_t i = get(m_indices, v);
@@ -215,7 +215,7 @@ private:
   const TriangleMesh& m_mesh;
   VertexPointMap m_point_map;
   FaceRegionMap m_face_region;
-  Index_map m_indices; // in the first of its regions
+  Index_map m_indices; // of a vertex in the first of its regions
   Measured_mesh m_result;
 };
 
@@ -241,7 +241,7 @@ Measured_mesh read_measured_mesh(const TriangleMesh& tmesh, const NamedParameter
   return read_measured_mesh(tmesh, np, Static_boolean_property_map<face_descriptor, false>());
 }
 
-// cut along the creases of a piecewise function, the regions of whose faces `face_patch_map` tells
+// The mesh is cut along the creases of a piecewise function. `face_patch_map` tells the regions of the faces.
 template <typename Function, typename TriangleMesh, typename NamedParameters>
 Measured_mesh read_measured_mesh_of(const Function&, const TriangleMesh& tmesh, const NamedParameters& np)
 {
@@ -255,7 +255,7 @@ Measured_mesh read_measured_mesh_of(const Function&, const TriangleMesh& tmesh, 
     return read_measured_mesh(tmesh, np);
 }
 
-// whether a mesh can be measured with these parameters; says what is wrong if it cannot
+// whether a mesh can be measured with these parameters; if not, an error of the compiler says what is wrong
 template <typename TriangleMesh, typename NamedParameters>
 constexpr bool accepts_measurement()
 {

@@ -22,9 +22,9 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// The distance of a point to the zero set of any function. Newton's method along the gradient leads to a point of the zero set,
-// and steps along the tangent planes lead from there to the foot of the perpendicular. What comes out is the distance to a point
-// of the zero set, hence never less than the true one.
+// The distance of a point to the zero set of any function. Newton's method along the gradient leads to a point of the zero set.
+// Steps along the tangent planes lead from there to the foot of the perpendicular. The result is the distance to a point of the
+// zero set, so it is never less than the true one.
 template <typename Function>
 class Zero_set_distance
 {
@@ -32,16 +32,17 @@ class Zero_set_distance
   static constexpr double exactness = 1e-4;     // of the distance
   static constexpr double negligible = 1e-6;    // of the size: a first step of that length needs no second one
   static constexpr double smallest_way = 1e-14; // of the size: rounding
-  static constexpr double largest_shift = 0.01; // of the distance: so far beside its foot a point tells it to 5e-5
+  static constexpr double largest_shift = 0.01; // of the distance: a foot that is so far aside gives the distance to 5e-5
 
 public:
-  // `size` that of the surface, over which no step goes
+  // `size` is that of the surface: no step is longer
   Zero_set_distance(const Function& function, const double size) : m_function(function), m_size(size) {}
 
   // of a point; infinite if no way leads to the zero set
   double operator()(const Vector& p) const { return from(p, p, m_size); }
 
-  // of a point that is near to another one, whose distance is known: at most the sum of both
+  // The distance of a point that is near to another one, whose distance is known. It is at most the sum of the way to the other
+  // one and its distance.
   double operator()(const Vector& p, const Vector& neighbor, const double distance_of_neighbor) const
   {
     const double way = (p - neighbor).norm(), bound = way + distance_of_neighbor;
@@ -58,7 +59,7 @@ private:
     bool is_on_zero_set;
   };
 
-  // along the gradient from q, in steps of at most `longest`
+  // follows the gradient from q, in steps of at most `longest`
   Landing land(Vector q, const Vector& p, const double longest) const
   {
     for (int step = 0; step < newton_steps; ++step)
@@ -79,7 +80,7 @@ private:
     return Landing{q, Vector::Zero(), false};
   }
 
-  // of p, by a way that begins at `start`
+  // the distance of p, by a way that begins at `start`
   double from(const Vector& start, const Vector& p, const double longest) const
   {
     Landing landing = land(start, p, longest);
@@ -99,7 +100,7 @@ private:
         distance = next_distance;
       }
       else
-        share /= 2; // where the surface bends more than the way is long
+        share /= 2; // the surface bends too much for this step
     }
     return distance;
   }

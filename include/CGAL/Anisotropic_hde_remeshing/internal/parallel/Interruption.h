@@ -23,25 +23,25 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// The caller's wish to stop. Its visitor is asked by the thread that made this object only; all threads may look.
+// The caller's wish to stop. Only the thread that made this object asks the visitor. All threads may read the answer.
 class Interruption
 {
-  // long loops ask once in so many calls and this time
+  // Long loops ask only once in so many calls, and only after this time.
   static constexpr unsigned int calls_per_look_at_the_clock = 16;
   static constexpr std::chrono::milliseconds time_between_questions{5};
 
 public:
-  // never
+  // one that is never requested
   Interruption() = default;
 
   explicit Interruption(std::function<bool()> go_further) : m_go_further(std::move(go_further)) {}
   Interruption(const Interruption&) = delete;
   Interruption& operator=(const Interruption&) = delete;
 
-  // whether it was wished already
+  // whether the caller has wished to stop already
   bool is_requested() const { return m_is_requested.load(std::memory_order_relaxed); }
 
-  // asks; for the thread of the caller
+  // asks the visitor; only for the thread of the caller
   bool ask()
   {
     m_last_question = std::chrono::steady_clock::now();
@@ -59,7 +59,7 @@ public:
     return is_requested();
   }
 
-  // the same for what cannot be left otherwise
+  // the same, by an exception, for code that has no other way out
   void check()
   {
     if (poll())

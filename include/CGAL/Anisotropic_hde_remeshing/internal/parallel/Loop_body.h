@@ -19,7 +19,8 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// The body of a loop, called for parts of its range. Its type is forgotten, so that TBB's loop is compiled once for all bodies.
+// The body of a loop, called for parts of its range. It does not have the type of the function, so TBB's loop is compiled once
+// for all bodies.
 class Loop_body
 {
 public:

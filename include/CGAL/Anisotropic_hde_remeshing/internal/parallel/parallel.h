@@ -29,9 +29,9 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// Calls `f(i)` for every i in [0, n), by TBB if the tag asks for it and TBB is linked. `f` writes to places of its own, so
-// that the result is the same for any number of threads. Below `grain` calls a thread is not worth waking. Once
-// `interruption` is requested the calls that have not begun are left out.
+// Calls `f(i)` for every i in [0, n), by TBB if the tag asks for it and TBB is linked. `f` writes to places of its own, so the
+// result is the same for any number of threads. Below `grain` calls a thread is not worth waking. Once `interruption` is
+// requested, no further call begins.
 template <typename ConcurrencyTag, typename Function>
 void parallel_for(const std::size_t n, const Function& f, const std::size_t grain, Interruption& interruption)
 {
@@ -79,7 +79,7 @@ double parallel_sum(const std::size_t n, const Function& f)
   return std::accumulate(sums.begin(), sums.end(), 0.);
 }
 
-// the same result with and without threads, as no two elements may be equal
+// No two elements may be equal. So the result is the same with and without threads.
 template <typename ConcurrencyTag, typename Vector>
 void parallel_sort(Vector& elements)
 {

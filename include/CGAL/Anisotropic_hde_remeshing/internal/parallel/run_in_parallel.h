@@ -19,8 +19,8 @@
 
 #include <cstddef>
 
-// All that the package asks of TBB. The test of the threads has another file of this name, as TBB's own synchronisation, in a
-// library, cannot be seen by ThreadSanitizer.
+// All that the package asks of TBB. ThreadSanitizer cannot see TBB's own synchronisation, which is in a library. So the test of
+// the threads has another file of this name.
 
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {

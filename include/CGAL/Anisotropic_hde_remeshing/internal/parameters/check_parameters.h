@@ -23,7 +23,7 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// Errors of the caller, which are reported in Release too: "sigma is -1: it must be finite and not negative"
+// Errors of the caller. They are reported in Release, too: "sigma is -1: it must be finite and not negative"
 template <typename Value>
 [[noreturn]] void throw_invalid_argument(const std::string& name, const Value& value, const std::string& requirement)
 {
@@ -57,7 +57,7 @@ inline double checked_between(const std::string& name, const double value, const
   return value;
 }
 
-// An unsigned number that was negative before it was converted says what it was, too.
+// An unsigned number may come from a negative one. The text then has the negative one, too.
 template <typename Number>
 std::string text_of_number(const Number n)
 {
@@ -80,7 +80,7 @@ std::size_t checked_count(const std::string& name, const Count value, const std:
   return std::size_t(value);
 }
 
-// a number of iterations or steps, of which there is no half
+// A number of iterations or steps. There is no half of one.
 template <typename Count>
 unsigned int checked_repetitions(const std::string& name, const Count value)
 {

@@ -13,7 +13,7 @@
 
 #include <CGAL/Named_function_parameters.h>
 
-// Without the names every use of them would fail with pages of errors; one line says what is wrong.
+// Without the names, every use of them would fail with pages of errors. Here one line says what is wrong.
 #ifndef CGAL_AHR_NAMED_PARAMETERS_OVERLAY
 #  error "Anisotropic_hde_remeshing: put this package's include folder before CGAL's, as its CMake target does"
 #endif

@@ -22,19 +22,20 @@
 #include <type_traits>
 #include <utility>
 
-// What the named parameters take, so that a wrong type is one error with the name, not pages of them from within: a public
-// function asks a list of parameters, and has nothing else instantiated if one is refused.
+// What the named parameters take. A wrong type shall be one error with the name of the parameter, not pages of errors from
+// within. So a public function checks a list of parameters first. If one is refused, it instantiates nothing else.
 
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// of a named parameter; internal_np::Param_not_found if it is not given
+// the type of a named parameter; internal_np::Param_not_found if it is not given
 template <typename NamedParameters, typename Tag>
 using Given_type =
     std::decay_t<decltype(parameters::get_parameter(std::declval<const NamedParameters&>(), std::declval<Tag>()))>;
 
-// The conditions below are of the type T of a parameter; the subject is the mesh, range or kernel it belongs to.
+// The conditions below are on the type T of a parameter. The subject is the mesh, range or kernel that the parameter belongs
+// to.
 
 template <typename T, typename>
 struct Is_number : std::bool_constant<is_number<T>>
@@ -46,7 +47,7 @@ struct Is_boolean : std::bool_constant<is_boolean<T>>
 {
 };
 
-// a count, also as a double: it comes from a computation
+// a count; doubles are accepted, too, as a count may come from a computation
 template <typename T, typename>
 struct Is_count : std::bool_constant<std::is_arithmetic<T>::value && !std::is_same<T, bool>::value>
 {
@@ -216,9 +217,9 @@ CGAL_AHR_NAMED_PARAMETER(number_of_points_on_faces, number_of_points_on_faces_t,
 // clang-format on
 #undef CGAL_AHR_NAMED_PARAMETER
 
-// Lists of parameters. They are no templates, whose arguments would fill the message.
+// Lists of parameters. They are no templates: template arguments would fill the message.
 
-// of a function without the mesh or range that it is built from
+// those of a function, without those of the mesh or range that it is built from
 struct Parameters_of_function
 {
   template <typename NamedParameters, typename Subject>
@@ -346,7 +347,7 @@ struct Is_named_parameters<Named_function_parameters<T, Tag, Base>> : std::true_
 {
 };
 
-// whether `np` may be given to a function for a mesh, range or kernel; says what is wrong if it may not
+// whether a function for a mesh, range or kernel accepts `np`; if not, an error of the compiler says what is wrong
 template <typename List, typename Subject, typename NamedParameters>
 constexpr bool accepts_parameters()
 {

@@ -20,12 +20,12 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// What the indices have room for. The functions take numbers, so that tests need no meshes of this size.
+// What the indices have room for. The functions take numbers, so tests need no meshes of this size.
 
-// that can be asked for
+// the largest number of faces that can be asked for
 constexpr std::size_t largest_number_of_faces = 500000000;
 
-// of a Surface_mesh, whose indices have 32 bits: the last one means none
+// of a Surface_mesh. Its indices have 32 bits, and the last index means none.
 constexpr std::size_t largest_number_of_halfedges = 4294967294u;
 
 // of a mesh that is read or written
@@ -36,7 +36,7 @@ inline void check_number_of_halfedges(const std::size_t number)
                             std::to_string(largest_number_of_halfedges));
 }
 
-// how many edges can still be split: each adds at most six halfedges
+// how many edges can still be split; a split adds at most six halfedges
 inline double room_for_splits(const std::size_t number_of_halfedges)
 {
   return double((largest_number_of_halfedges -
@@ -44,7 +44,8 @@ inline double room_for_splits(const std::size_t number_of_halfedges)
                 6);
 }
 
-// of which vertices are fitted: the sparse matrix has nine entries for each, before equal ones are added up, counted by an int
+// The largest number of faces whose vertices can be fitted. Before equal entries are added up, the sparse matrix has nine for
+// each face, counted by an int.
 constexpr std::size_t largest_number_of_fitted_faces = std::size_t((std::numeric_limits<int>::max)()) / 9;
 
 inline void check_number_of_fitted_faces(const double number)

@@ -29,10 +29,10 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// What a type of the caller's can do. All of these are asked of any type whatsoever, and must not be errors themselves.
-// boost::graph_traits of a type that is no graph is one.
+// What a type of the caller's can do. These questions are asked of any type whatsoever, so they must not be errors themselves.
+// boost::graph_traits of a type that is no graph is an error.
 
-// a graph with faces, by the functions that belong to it
+// a graph with faces, recognised by the functions that belong to it
 template <typename T, typename = void>
 struct Is_face_graph : std::false_type
 {
@@ -54,13 +54,13 @@ struct Has_begin_and_end<T, std::void_t<decltype(*std::begin(std::declval<T&>())
 {
 };
 
-// of points or of faces
+// a range of points or of faces
 template <typename T>
 struct Is_range : std::bool_constant<Has_begin_and_end<T>::value && !Is_face_graph<std::remove_const_t<T>>::value>
 {
 };
 
-// A view may keep where it is, and can then only be run over by a copy of its own, which is cheap.
+// A view may keep its position, and then only a copy of it can be run over. Such a copy is cheap.
 template <typename Range, typename Function>
 void for_each_of_range(const Range& range, const Function& function)
 {
@@ -94,7 +94,7 @@ constexpr bool is_number =
     std::is_arithmetic<T>::value ? !std::is_same<T, bool>::value
                                  : std::is_same<typename Real_embeddable_traits<T>::Is_real_embeddable, Tag_true>::value;
 
-// true and false as they come: also 0 and 1, tags, and what a vector of bool returns
+// Any type for true and false: also 0 and 1, tags, and what a vector of bool returns.
 template <typename T>
 constexpr bool is_boolean = std::is_convertible<T, bool>::value && !std::is_floating_point<T>::value &&
                             !std::is_pointer<T>::value && !std::is_enum<T>::value;
@@ -113,7 +113,8 @@ struct Has_coordinates<T, std::void_t<decltype(std::declval<const T&>().x()), de
 {
 };
 
-// Property maps by what is done with them. Those of Boost take any key and value, and say afterwards which they would have liked.
+// Property maps, recognised by what can be done with them. Those of Boost seem to take any key and value, and fail only inside.
+// So their declared types are compared.
 namespace property_maps {
 
 using boost::get;
@@ -139,7 +140,7 @@ struct Takes_value<Map, Value, std::void_t<typename boost::property_traits<Map>:
 {
 };
 
-// as a map declares it, which may return a proxy
+// the value type that a map declares; `get` may return a proxy
 template <typename Map, typename Returned, typename = void>
 struct Declared_value
 {
@@ -183,7 +184,7 @@ struct Is_writable<
 
 } // namespace property_maps
 
-// the type of the values of a property map for a key, `property_maps::Nothing` if it is none or takes other keys
+// the type of the values of a property map for a key; `property_maps::Nothing` if it is no map or takes other keys
 template <typename Map, typename Key>
 using Value_of_map = typename property_maps::Value<Map, Key>::type;
 
