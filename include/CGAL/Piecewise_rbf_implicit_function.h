@@ -263,7 +263,7 @@ private:
     using parameters::get_parameter;
     Real_timer timer;
     timer.start();
-    Anisotropic_hde_remeshing::internal::interpolation_parameters(np); // throws what is wrong with them
+    Anisotropic_hde_remeshing::internal::interpolation_parameters(np); // throws if one is wrong
     auto visitor = choose_parameter(get_parameter(np, internal_np::visitor), Anisotropic_hde_remeshing::Remeshing_visitor());
     Interruption interruption([&visitor] { return visitor.go_further(); });
     const std::vector<Region_mesh> regions = Anisotropic_hde_remeshing::internal::split_regions(

@@ -91,7 +91,7 @@ struct Distance_measures
 
   /// the larger of the two root mean squares
   double rms() const { return (std::max)(rms_from_first, rms_from_second); }
-  /// the larger of the two maxima. It is the Hausdorff distance, but for points between the sampled ones.
+  /// the larger of the two maxima. It is the Hausdorff distance, except that points between the sampled ones are not seen.
   double max() const { return (std::max)(max_from_first, max_from_second); }
 };
 
