@@ -294,9 +294,9 @@ private:
     std::thread::id m_owner = std::this_thread::get_id();
   };
 
-  // Large regions are built one after another, each by all threads. The thread of the caller asks the visitor, so it must not be
-  // busy with the region of another thread. Small regions are built at the same time. No exception may leave their loop: it would
-  // cancel the loops inside, which do not notice.
+  // Large regions are built one after another, each by all threads. The thread of the caller asks the visitor, so it must not
+  // be busy with the region of another thread. Small regions are built at the same time. No exception may leave their loop: it
+  // would cancel the loops inside, which do not notice.
   template <typename NamedParameters>
   static void build_pieces(const std::vector<Region_mesh>& regions, const NamedParameters& np, Interruption& interruption,
                            std::vector<Piece>& pieces)

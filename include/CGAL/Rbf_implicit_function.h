@@ -139,7 +139,8 @@ public:
     \cgalParamNBegin{offset_distance}
       \cgalParamDescription{the paper's \f$ \varepsilon \f$, one for all points, in the unit of the coordinates}
       \cgalParamDefault{`relative_offset_distance` of the local distance between points}
-      \cgalParamExtra{An offset is halved while the off-surface point is nearer to another point of the surface than to its own.}
+      \cgalParamExtra{An offset is halved while the off-surface point is nearer to another point of the surface than to its
+                      own.}
     \cgalParamNEnd
     \cgalParamNBegin{relative_offset_distance}
       \cgalParamDescription{\f$ \varepsilon_i \f$ in units of the local distance between points. More than 1 makes sheets that
@@ -198,8 +199,8 @@ public:
     return std::make_pair(FT(jet.value / m_normalization.scale), to_vector_3(jet.gradient));
   }
 
-  /// the matrix of the second derivatives at `p`, symmetric, in the inverse of the unit of the coordinates. `RadialFunction` must
-  /// model the operation for second derivatives. It takes twice the time of the gradient.
+  /// the matrix of the second derivatives at `p`, symmetric, in the inverse of the unit of the coordinates. `RadialFunction`
+  /// must model the operation for second derivatives. It takes twice the time of the gradient.
   Eigen::Matrix3d hessian(const Point_3& p) const { return evaluate<2>(p).hessian * m_normalization.scale; }
 
   /*!
@@ -324,8 +325,8 @@ private:
     return m_interpolant->template evaluate<order>(normalized);
   }
 
-  // Beyond its reach the function has its value at the end of the reach in the same direction, plus the way from there. The distances
-  // to single facets differ too little out there, and in the end the squares of coordinates overflow.
+  // Beyond its reach the function has its value at the end of the reach in the same direction, plus the way from there. The
+  // distances to single facets differ too little out there, and in the end the squares of coordinates overflow.
   template <int order>
   Jet<order> evaluate_far(const Eigen::Vector3d& point, const Eigen::Vector3d& normalized) const
   {

@@ -15,9 +15,9 @@ of the mesh belongs to one piece. The `face_patch_map` of the mesh tells the num
 the face is the zero set of this piece. The sharp edges are where the zero sets of two neighbouring pieces meet. The corners are
 where three or more of them meet.
 
-<b>Beyond the faces.</b> A piece is smooth at its own faces and for some edge lengths beyond them. The edges between two regions are
-only near the curve in which the two pieces meet. The remeshing looks for that curve from these edges, so it evaluates each piece on
-the far side, too.
+<b>Beyond the faces.</b> A piece is smooth at its own faces and for some edge lengths beyond them. The edges between two regions
+are only near the curve in which the two pieces meet. The remeshing looks for that curve from these edges, so it evaluates each
+piece on the far side, too.
 
 <b>Orientation.</b> All pieces are negative inside, so the gradient of a piece points to the side that its faces look to. (The
 remeshing alone also takes the opposite sign, of each piece by itself.)

@@ -219,7 +219,8 @@ position, the orientation or the unit of the mesh, except for rounding.
   \cgalParamNEnd
   \cgalParamNBegin{face_patch_map}
     \cgalParamDescription{the patches of the faces: an edge between two patches is a crease}
-    \cgalParamType{a model of `ReadablePropertyMap` with the faces of `tmesh` as keys and any values that can be compared by `==`}
+    \cgalParamType{a model of `ReadablePropertyMap` with the faces of `tmesh` as keys and any values that can be compared by
+                   `==`}
     \cgalParamDefault{all faces are in one patch}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_point_map}

@@ -61,8 +61,8 @@ double density_of_interpolation_matrix(const Eigen::Matrix<double, 3, Eigen::Dyn
   return double(entries) / double(rows * centres.cols());
 }
 
-// The lower triangle of the same matrix for a function of compact support. The centres are swept along the longest axis of their
-// box.
+// The lower triangle of the same matrix for a function of compact support. The centres are swept along the longest axis of
+// their box.
 template <typename RadialFunction>
 Eigen::SparseMatrix<double> sparse_interpolation_matrix(const Eigen::Matrix<double, 3, Eigen::Dynamic>& centres,
                                                         const RadialFunction& function, const double smoothing)
