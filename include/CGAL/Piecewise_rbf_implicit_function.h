@@ -60,7 +60,8 @@ crease belongs to all regions there, and has the normal of each. The function of
 - else an `Rbf_implicit_function` of the faces of the region. The edges of a region may be much longer in one direction than in
   the other, as those of a cylinder of two rows of vertices. Its function is one of points with normals, and points are added on
   curves over the long edges.
-- for a region of less than 10 vertices, the signed distance to its facets. At their boundary it goes on along the tangent
+- the signed distance to the facets of the region, if it has less than 10 vertices, if no function by radial basis functions can be
+  built from it, or if that misses more than 2% of the area of the facets. At their boundary the distance goes on along the tangent
   planes.
 
 All of them go on smoothly beyond the boundary of the region: planes without an end, facets along their tangents, fields for two

@@ -62,10 +62,11 @@ at points that are equally far from two parts of the surface. Its Hessian is zer
 
 <b>Self-check.</b> After a patch is solved, its function is checked around its facets, or around its points if the input is a
 range. The sign is checked at a quarter to twice the local spacing, the gradient and the distance of the zero set at the facets
-or points. A patch that fails is solved with smaller offsets, with a wider view, and with a little smoothing, until it passes. A
-patch may still fail in more than a twentieth of its checks, where sampling is too coarse for the shape. There the function is
-the signed distance to the input, with a gradient along the interpolated normals of the input, blended with the neighbouring
-patches. `diagnostics()` counts these patches.
+or points. A patch that fails in at most a tenth of its checks is solved again: with smaller offsets, with a little smoothing, and
+with both smoothing and a wider view. A solution is kept if it at least halves the number of failures. A patch may still fail in more
+than a twentieth of its checks, where sampling is too coarse for the shape. There the function is the signed distance to the input,
+with a gradient along the interpolated normals of the input, blended with the neighbouring patches. `diagnostics()` counts these
+patches.
 
 Copies are cheap: they share the data, which never change. All members are thread-safe. The function does not depend on the
 number of threads that built it.

@@ -133,8 +133,8 @@ private:
     summarise(results);
   }
 
-  // Solves a patch and checks it. If it fails, tries smaller offsets, smoothing, and smoothing with a wider view, and keeps the
-  // best solution. If that is not good enough either, the input itself answers for the patch.
+  // Solves a patch and checks it. If it fails, tries smaller offsets, smoothing, and smoothing with a wider view. Each is kept if it
+  // at least halves the failures. If that is not good enough either, the input itself answers for the patch.
   Patch_result solve_patch(const Solver_of_patch& solver, const Places& places, const Interpolation_parameters& parameters,
                            const std::size_t k)
   {
