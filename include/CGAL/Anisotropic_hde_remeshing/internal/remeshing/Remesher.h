@@ -54,7 +54,7 @@ class Remesher
   static constexpr int maximum_number_of_paper_rounds = 20;
   static constexpr int maximum_number_of_error_rounds = 16;
   static constexpr double largest_deviation = 1.5; // of a face's centroid during the remeshing, over the error
-  // Over the number of faces asked for. Needles without area have many edges that are too long, whatever that number is.
+  // of the number of faces asked for, or of that of the mesh if it is larger; needles without area always have edges that are too long
   static constexpr double largest_growth_of_splits = 4;
   static constexpr double largest_growth_of_refinement = 8; // of the number of faces; it ends a hopeless refinement
 
