@@ -82,13 +82,12 @@ private:
   }
 };
 
-// Whether a face is worse than the other face whose place it takes. A fold and a degenerate face are never wanted, a flat face
-// rather not. Each of them is allowed if the other face was no better. How a flat face lies counts for nothing: any fold may
-// take its place.
+// Whether a face is worse than the other face whose place it takes. A degenerate face is never allowed. A fold and a flat face are
+// allowed if the other face was no better. How a flat face lies counts for nothing: any fold may take its place.
 inline bool is_folded_by(const Face_quality& after, const Face_quality& before)
 {
   if (after.is_degenerate())
-    return !before.is_degenerate();
+    return true;
   return after.cosine < Face_quality::smallest_cosine && after.cosine < (before.is_flat() ? -1 : before.cosine);
 }
 
