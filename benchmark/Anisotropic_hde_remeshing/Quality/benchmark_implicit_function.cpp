@@ -20,7 +20,7 @@
 // MESH        a file (OFF, OBJ, PLY, STL); c to f are of the meshes
 // FACES       to how many isotropic_remeshing goes in d (default: those of the mesh)
 
-#include "implicit_function/Table.h"
+#include "Table.h"
 #include "implicit_function/accuracy.h"
 #include "implicit_function/build.h"
 #include "implicit_function/common.h"
