@@ -11,10 +11,10 @@
 #ifndef CGAL_ANISOTROPIC_HDE_REMESHING_BENCHMARK_IMPLICIT_FUNCTION_BUILD_H
 #define CGAL_ANISOTROPIC_HDE_REMESHING_BENCHMARK_IMPLICIT_FUNCTION_BUILD_H
 
-#include "../isotropic_remeshing.h"
 #include "Peak_memory.h"
 #include "Table.h"
 #include "common.h"
+#include "isotropic_remeshing.h"
 
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 
