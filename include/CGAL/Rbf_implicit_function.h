@@ -14,23 +14,18 @@
 #include <CGAL/Anisotropic_hde_remeshing/Principal_curvatures.h>
 #include <CGAL/Anisotropic_hde_remeshing/Rbf_diagnostics.h>
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_visitor.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Facet_distance.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/functions/Jet.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Vector.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Patchwise_interpolant.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Point_distance.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Surface_sample.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/input_of_function.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/interpolation_parameters.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/sample_mesh.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/sample_points.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Interruption.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/named_parameters.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/parameter_types.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/type_traits.h>
 #include <CGAL/Radial_basis_functions.h>
 
 #include <CGAL/Real_timer.h>
-#include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
-
-#include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -85,13 +80,8 @@ class Rbf_implicit_function
 {
   typedef Anisotropic_hde_remeshing::internal::Patchwise_interpolant<RadialFunction, ConcurrencyTag> Interpolant;
   typedef Anisotropic_hde_remeshing::internal::Surface_sample Surface_sample;
-  typedef Anisotropic_hde_remeshing::internal::Signed_distance Signed_distance;
-  typedef Anisotropic_hde_remeshing::internal::Interruption Interruption;
   template <int order>
   using Jet = Anisotropic_hde_remeshing::internal::Jet<order>;
-
-  template <typename T>
-  using Is_range = Anisotropic_hde_remeshing::internal::Is_range<T>;
 
 public:
   typedef GeomTraits Geom_traits;
@@ -179,7 +169,8 @@ public:
             typename = std::enable_if_t<!std::is_base_of<Rbf_implicit_function, MeshOrPointRange>::value>>
   explicit Rbf_implicit_function(const MeshOrPointRange& input, const NamedParameters& np = parameters::default_values())
   {
-    if constexpr (accepts<MeshOrPointRange, NamedParameters>())
+    if constexpr (Anisotropic_hde_remeshing::internal::accepts_input_of_function<RadialFunction, MeshOrPointRange,
+                                                                                 NamedParameters>())
       build(input, np);
   }
 
@@ -244,75 +235,25 @@ public:
 private:
   static constexpr double reach = 1e6; // the interpolant is evaluated up to here, in the size of the points
 
-  // whether the input and the types of the parameters are accepted
-  template <typename MeshOrPointRange, typename NamedParameters>
-  static constexpr bool accepts()
-  {
-    namespace internal = Anisotropic_hde_remeshing::internal;
-    constexpr bool is_range = Is_range<MeshOrPointRange>::value;
-    constexpr bool is_input = is_range || internal::Is_face_graph<MeshOrPointRange>::value;
-    static_assert(is_input,
-                  "the implicit function is built from a model of FaceListGraph or from a range of points with normals");
-    if constexpr (!is_input)
-      return false;
-    else
-    {
-      typedef std::conditional_t<is_range, internal::Parameters_of_function_of_range, internal::Parameters_of_function_of_mesh>
-          Parameters;
-      if constexpr (internal::accepts_parameters<Parameters, MeshOrPointRange, NamedParameters>())
-        return accepts_kernel<NamedParameters>() && has_points_and_normals<MeshOrPointRange, NamedParameters>();
-      else
-        return false;
-    }
-  }
-
-  template <typename MeshOrPointRange, typename NamedParameters>
-  static constexpr bool has_points_and_normals()
-  {
-    namespace internal = Anisotropic_hde_remeshing::internal;
-    if constexpr (!Is_range<MeshOrPointRange>::value ||
-                  !(parameters::is_default_parameter<NamedParameters, internal_np::point_t>::value ||
-                    parameters::is_default_parameter<NamedParameters, internal_np::normal_t>::value))
-      return true;
-    else
-    {
-      constexpr bool has_pairs = internal::Is_pair<internal::Value_of_range<MeshOrPointRange>>::value;
-      static_assert(has_pairs, "a range of points needs point_map and normal_map, unless its elements are pairs");
-      return has_pairs;
-    }
-  }
-
-  template <typename NamedParameters>
-  static constexpr bool accepts_kernel()
-  {
-    typedef Anisotropic_hde_remeshing::internal::Given_type<NamedParameters, internal_np::radial_function_t> Given;
-    constexpr bool is_kernel =
-        std::is_same<Given, internal_np::Param_not_found>::value || std::is_convertible<Given, RadialFunction>::value;
-    static_assert(is_kernel, "the named parameter radial_function takes an object of the second template argument of "
-                             "Rbf_implicit_function");
-    return is_kernel;
-  }
-
   template <typename MeshOrPointRange, typename NamedParameters>
   void build(const MeshOrPointRange& input, const NamedParameters& np)
   {
+    using parameters::choose_parameter;
+    using parameters::get_parameter;
+    namespace internal = Anisotropic_hde_remeshing::internal;
     Real_timer timer;
     timer.start();
-    Anisotropic_hde_remeshing::internal::Interpolation_parameters parameters =
-        Anisotropic_hde_remeshing::internal::interpolation_parameters(np);
-    auto visitor = parameters::choose_parameter(parameters::get_parameter(np, internal_np::visitor),
-                                                Anisotropic_hde_remeshing::Remeshing_visitor());
-    Interruption interruption([&visitor] { return visitor.go_further(); });
-    const RadialFunction function =
-        parameters::choose_parameter(parameters::get_parameter(np, internal_np::radial_function), RadialFunction());
-    const auto sample = std::make_shared<Surface_sample>(sample_input(input, np, interruption, Is_range<MeshOrPointRange>()));
-    check_sample(*sample);
+    internal::Interpolation_parameters interpolation = internal::interpolation_parameters(np);
+    auto visitor = choose_parameter(get_parameter(np, internal_np::visitor), Anisotropic_hde_remeshing::Remeshing_visitor());
+    internal::Interruption interruption([&visitor] { return visitor.go_further(); });
+    const RadialFunction function = choose_parameter(get_parameter(np, internal_np::radial_function), RadialFunction());
+    const std::shared_ptr<const Surface_sample> sample = internal::sample_input<ConcurrencyTag>(input, np, interruption);
     m_normalization = sample->normalization;
     m_squared_radius = squared_radius(*sample);
-    parameters.absolute_offset *= m_normalization.scale;
+    interpolation.absolute_offset *= m_normalization.scale;
     const double input_seconds = timer.time();
-    m_interpolant = std::make_shared<const Interpolant>(sample, signed_distance(sample, Is_range<MeshOrPointRange>()),
-                                                        parameters, function, m_normalization.scale, interruption);
+    m_interpolant = std::make_shared<const Interpolant>(sample, internal::distance_to_input<MeshOrPointRange>(sample),
+                                                        interpolation, function, m_normalization.scale, interruption);
     m_diagnostics = complete(m_interpolant->diagnostics(), *sample, input_seconds);
   }
 
@@ -348,58 +289,6 @@ private:
 
   static Vector_3 to_vector_3(const Eigen::Vector3d& v) { return Vector_3(FT(v[0]), FT(v[1]), FT(v[2])); }
 
-  template <typename TriangleMesh, typename NamedParameters>
-  static Surface_sample sample_input(const TriangleMesh& tmesh, const NamedParameters& np, Interruption& interruption,
-                                     std::false_type)
-  {
-    using parameters::choose_parameter;
-    using parameters::get_parameter;
-    return Anisotropic_hde_remeshing::internal::sample_mesh(
-        tmesh, choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tmesh)),
-        get_parameter(np, internal_np::vertex_normal_map), interruption);
-  }
-
-  template <typename PointRange, typename NamedParameters>
-  static Surface_sample sample_input(const PointRange& points, const NamedParameters& np, Interruption& interruption,
-                                     std::true_type)
-  {
-    return Anisotropic_hde_remeshing::internal::sample_points<ConcurrencyTag>(points, point_map<PointRange>(np),
-                                                                              normal_map<PointRange>(np), interruption);
-  }
-
-  // The defaults ask for pairs, so they are instantiated only where they are used.
-  template <typename PointRange, typename NamedParameters>
-  static auto point_map(const NamedParameters& np)
-  {
-    if constexpr (parameters::is_default_parameter<NamedParameters, internal_np::point_t>::value)
-      return First_of_pair_property_map<Anisotropic_hde_remeshing::internal::Value_of_range<PointRange>>();
-    else
-      return parameters::get_parameter(np, internal_np::point_map);
-  }
-
-  template <typename PointRange, typename NamedParameters>
-  static auto normal_map(const NamedParameters& np)
-  {
-    if constexpr (parameters::is_default_parameter<NamedParameters, internal_np::normal_t>::value)
-      return Second_of_pair_property_map<Anisotropic_hde_remeshing::internal::Value_of_range<PointRange>>();
-    else
-      return parameters::get_parameter(np, internal_np::normal_map);
-  }
-
-  static void check_sample(const Surface_sample& sample)
-  {
-    if (sample.size() == 0)
-      throw std::invalid_argument("the input has no points");
-    bool has_normal = false, has_spacing = false;
-    for (std::size_t i = 0; i < sample.size(); ++i)
-    {
-      has_normal = has_normal || !sample.normals[i].isZero(0);
-      has_spacing = has_spacing || sample.spacings[i] > 0;
-    }
-    if (!has_normal || !has_spacing)
-      throw std::invalid_argument("the input has no point with a normal: all its faces are degenerate");
-  }
-
   // of a normalised sample
   double squared_radius(const Surface_sample& sample) const
   {
@@ -408,18 +297,6 @@ private:
       half_box = half_box.cwiseMax(p.cwiseAbs());
     const double radius = 1.1 * half_box.norm() / m_normalization.scale; // the zero set bulges between the points
     return radius * radius;
-  }
-
-  static std::shared_ptr<const Signed_distance> signed_distance(const std::shared_ptr<const Surface_sample>& sample,
-                                                                std::false_type)
-  {
-    return std::make_shared<Anisotropic_hde_remeshing::internal::Facet_distance>(sample);
-  }
-
-  static std::shared_ptr<const Signed_distance> signed_distance(const std::shared_ptr<const Surface_sample>& sample,
-                                                                std::true_type)
-  {
-    return std::make_shared<Anisotropic_hde_remeshing::internal::Point_distance>(sample);
   }
 
   std::shared_ptr<const Anisotropic_hde_remeshing::Rbf_diagnostics>

@@ -1,0 +1,120 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+#ifndef CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REGIONS_FIT_REGION_FUNCTION_H
+#define CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REGIONS_FIT_REGION_FUNCTION_H
+
+#include <CGAL/license/Anisotropic_hde_remeshing.h>
+
+#include <CGAL/Anisotropic_hde_remeshing/internal/functions/evaluation.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Vector.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/sample_mesh.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Interruption.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/regions/Region_facets.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/regions/Region_function.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/regions/Region_plane.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/regions/Uneven_region.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/regions/split_regions.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+namespace CGAL {
+namespace Anisotropic_hde_remeshing {
+namespace internal {
+
+// A field misses a facet if one of these is out of bounds: the distance of the zero set from the centroid of the facet, over
+// the longest edge of the facet (an arc of 90 degrees has .2), and the cosine between the normals of both.
+constexpr double largest_height_of_field = 0.2, least_cosine_of_field = 0.5;
+
+// the share of the area of the facets at whose centroid the zero set is far away or turned
+template <typename Field>
+double share_of_missed_facets(const Field& field, const Region_mesh& region)
+{
+  double area = 0, missed = 0;
+  for (const auto f : region.faces())
+  {
+    const auto h = region.halfedge(f);
+    const Vector a = to_vector(region.point(region.source(h))), b = to_vector(region.point(region.target(h))),
+                 c = to_vector(region.point(region.target(region.next(h)))), normal = (b - a).cross(c - a);
+    const double longest = std::sqrt((std::max)({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
+    const Vector centroid = (a + b + c) / 3;
+    const Value_and_gradient at_centroid = value_and_gradient_of(field, centroid);
+    const double slope = at_centroid.gradient.norm();
+    const bool is_met = std::abs(at_centroid.value) <= largest_height_of_field * longest * slope &&
+                        at_centroid.gradient.dot(normal) >= least_cosine_of_field * slope * normal.norm();
+    area += normal.norm();
+    missed += is_met ? 0 : normal.norm();
+  }
+  return area > 0 ? missed / area : 0;
+}
+
+// The field of a region, and what share of the facets it misses. If the vertices are spread unevenly, the field is one of points
+// between them, too. If it misses facets, a field of the vertices alone is built as well. The patches of that field are checked,
+// and the facets answer where a patch fails. The field that misses less is returned.
+template <typename Field, typename NamedParameters>
+std::pair<Field, double> field_of(const Region_mesh& region, const NamedParameters& np)
+{
+  const auto points = Uneven_region(region).points();
+  std::optional<Field> of_points;
+  double missed_by_points = 1;
+  if (!points.empty())
+  {
+    of_points.emplace(points, np);
+    missed_by_points = share_of_missed_facets(*of_points, region);
+    if (missed_by_points == 0)
+      return std::make_pair(*of_points, 0.);
+  }
+  const Field of_vertices(region,
+                          np.vertex_point_map(get(vertex_point, region)).vertex_normal_map(internal_np::Param_not_found()));
+  const double missed_by_vertices = share_of_missed_facets(of_vertices, region);
+  if (of_points && !(missed_by_vertices < missed_by_points))
+    return std::make_pair(*of_points, missed_by_points);
+  return std::make_pair(of_vertices, missed_by_vertices);
+}
+
+// Fits the function of a region: a plane if all points are in one within `tolerance`, else a field, and the distance to the
+// facets where a field is not to be had. `np` has the parameters of the field.
+template <typename Field, typename NamedParameters>
+Region_function<Field> fit_region_function(const Region_mesh& region, const double tolerance, const NamedParameters& np,
+                                           Interruption& interruption)
+{
+  static constexpr std::size_t least_number_of_vertices = 10; // of a region with a field
+  // the largest share of the area of a region that its field may miss
+  static constexpr double largest_share_of_missed_facets = 0.02;
+  if (const auto plane = plane_of(region, tolerance))
+    return Region_function<Field>(*plane);
+  if (region.number_of_vertices() >= least_number_of_vertices)
+  {
+    try
+    {
+      const std::pair<Field, double> field_and_missed = field_of<Field>(region, np);
+      if (field_and_missed.second <= largest_share_of_missed_facets)
+        return Region_function<Field>(field_and_missed.first);
+    }
+    catch (const std::invalid_argument&) // parameters and points are checked already: no face has an area
+    {
+    }
+  }
+  const auto facets = std::make_shared<const Region_facets>(
+      sample_mesh(region, get(vertex_point, region), internal_np::Param_not_found(), interruption));
+  return facets->empty() ? Region_function<Field>() : Region_function<Field>(facets);
+}
+
+} // namespace internal
+} // namespace Anisotropic_hde_remeshing
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REGIONS_FIT_REGION_FUNCTION_H
