@@ -192,7 +192,7 @@ public:
   }
 
   /// the matrix of the second derivatives at `p`, symmetric, in the inverse of the unit of the coordinates. `RadialFunction`
-  /// must model the operation for second derivatives. It takes twice the time of the gradient.
+  /// must return second derivatives. It takes twice the time of the gradient.
   Eigen::Matrix3d hessian(const Point_3& p) const { return evaluate<2>(p).hessian * m_normalization.scale; }
 
   /*!

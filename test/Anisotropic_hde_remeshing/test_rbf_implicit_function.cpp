@@ -447,11 +447,11 @@ struct Biharmonic_rbf
   static const char* name() { return "biharmonic spline r"; }
 
   template <class T>
-  void operator()(const T& squared_radius, T& value, T& derivative_over_radius) const
+  CGAL::Rbf_jet<T, 1> operator()(const T& squared_radius) const
   {
     using std::sqrt;
-    value = sqrt(T(squared_radius + 1e-300));
-    derivative_over_radius = 1. / value;
+    const T r = sqrt(T(squared_radius + 1e-300));
+    return {r, 1. / r};
   }
 };
 

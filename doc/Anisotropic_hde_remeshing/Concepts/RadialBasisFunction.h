@@ -36,6 +36,7 @@ A model is copyable and default constructible.
 \cgalHasModelsEnd
 
 \sa `CGAL::Rbf_implicit_function`
+\sa `CGAL::Rbf_jet`
 */
 class RadialBasisFunction
 {
@@ -60,35 +61,30 @@ public:
   static const char* name();
 
   /*!
-  computes from `squared_radius` \f$ = r^2 \f$
-  - `value` \f$ = \phi(r) \f$, without `sign`, and
-  - `derivative_over_radius` \f$ = \phi'(r) / r \f$, the derivative by \f$ r \f$ (not by \f$ r^2 \f$) divided by \f$ r \f$.
-    The gradient of \f$ \phi(|y|) \f$ by \f$ y \f$ is this number times \f$ y \f$.
+  returns, for `squared_radius` \f$ = r^2 \f$, an object of type `CGAL::Rbf_jet<T, 1>` or `CGAL::Rbf_jet<T, 2>`, or of any type with
+  the same members of type `T`:
+  - `value` \f$ = \phi(r) \f$, without `sign`,
+  - `first` \f$ = \phi'(r) / r \f$, the derivative by \f$ r \f$ (not by \f$ r^2 \f$) divided by \f$ r \f$. The gradient of
+    \f$ \phi(|y|) \f$ by \f$ y \f$ is this number times \f$ y \f$.
+  - `second` \f$ = (\phi'(r) / r)' / r \f$, which is optional. The Hessian of \f$ \phi(|y|) \f$ is `first` times the identity plus
+    `second` times \f$ y y^T \f$. `CGAL::Rbf_implicit_function::hessian()` and what is computed from it need this member.
 
-  Both must be finite at \f$ r = 0 \f$. There `value` is \f$ \phi(0) \f$. `derivative_over_radius` is multiplied by the zero
-  vector there: if its limit is infinite, any finite number serves.
+  All must be finite at \f$ r = 0 \f$. There `value` is \f$ \phi(0) \f$. The others are multiplied by zero there: if a limit is
+  infinite, any finite number serves.
 
-  `T` is `double`, `Eigen::ArrayXd` or an array of fixed size, `Eigen::Array<double, n, 1>`. The elements of an array are
-  computed one by one. The body uses arithmetic operators and functions such as `sqrt` found by argument-dependent lookup (after
-  `using std::sqrt;`). It does not branch on the values. `value` and `derivative_over_radius` are no aliases of `squared_radius`
-  and have its size.
+  `T` is `double`, or an array of a few `double`s, whose elements are computed one by one. Arrays have the arithmetic operators, among
+  themselves and with `double`. Functions such as `sqrt`, `exp`, `log` and `abs` are found by argument-dependent lookup (after
+  `using std::sqrt;`). The results of these are no arrays, but convert to `T`: intermediate results are declared as `const T`. (The
+  package uses `Eigen::Array<double, n, 1>`.) The body does not branch on the values. Members that are not used are not
+  computed: the compiler inlines the operation and drops them.
   */
   template <class T>
-  void operator()(const T& squared_radius, T& value, T& derivative_over_radius) const;
+  CGAL::Rbf_jet<T, 2> operator()(const T& squared_radius) const;
 
   /// @}
 
   /// \name Optional Operations
   /// @{
-
-  /*!
-  computes in addition to the above `second` \f$ = (\phi'(r) / r)' / r \f$, where the prime is the derivative by \f$ r \f$. The
-  Hessian of \f$ \phi(|y|) \f$ is `first` times the identity plus `second` times \f$ y y^T \f$. `second` must be finite at
-  \f$ r = 0 \f$, where it is multiplied by zero. `CGAL::Rbf_implicit_function::hessian()` and what is computed from it need this
-  operation.
-  */
-  template <class T>
-  void operator()(const T& squared_radius, T& value, T& first, T& second) const;
 
   /// tells the kernel the local spacing of the patch in the unit of the coordinates. The patch calls it before it uses the
   /// kernel. It serves kernels with a shape parameter in that unit.

@@ -47,6 +47,18 @@ struct Without_gradient
   double operator()(const Point_3&) const { return 0; }
 };
 
+struct Without_second_derivative
+{
+  static constexpr unsigned int order = 1;
+  static constexpr double sign = -1;
+  static const char* name() { return "r^2"; }
+  template <typename T>
+  CGAL::Rbf_jet<T, 1> operator()(const T& squared_radius) const
+  {
+    return {squared_radius, T(2. + 0. * squared_radius)};
+  }
+};
+
 Mesh mesh;
 const Mesh const_mesh;
 const Sphere_function sphere;
@@ -118,6 +130,7 @@ void functions()
   Function l(std::vector<Point_3>(), point_map(CGAL::Identity_property_map<Point_3>()).normal_map(1)); // the named parameter normal_map takes a property map from the elements of the range to vectors
   Function m(std::vector<Point_3>{}); // a range of points needs point_map and normal_map, unless its elements are pairs
   Function n(3); // the implicit function is built from a model of FaceListGraph or from a range of points with normals
+  CGAL::Rbf_implicit_function<Kernel, Without_second_derivative>(mesh).hessian(CGAL::ORIGIN); // second derivatives of the function need a radial function that returns them
   Piecewise_function o(mesh, 3); // face_region must be a property map from the faces of the mesh to std::size_t
   Piecewise_function p(mesh, of_faces, smoothing("yes")); // the named parameter smoothing takes a number
   CGAL::anisotropic_hde_remeshing(mesh, radial_function(3)); // the named parameter radial_function takes a model of RadialBasisFunction

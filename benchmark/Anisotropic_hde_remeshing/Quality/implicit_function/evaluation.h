@@ -37,11 +37,11 @@ struct Counting_rbf : CGAL::Polyharmonic_rbf
     return std::size_t(array.size());
   }
 
-  template <class T, class... Results>
-  void operator()(const T& squared_radius, Results&... results) const
+  template <class T>
+  CGAL::Rbf_jet<T> operator()(const T& squared_radius) const
   {
     counter() += number_of_terms(squared_radius);
-    Polyharmonic_rbf::operator()(squared_radius, results...);
+    return Polyharmonic_rbf::operator()(squared_radius);
   }
 };
 

@@ -45,6 +45,16 @@ struct Has_compact_support<RadialFunction, std::void_t<decltype(std::declval<con
 {
 };
 
+template <typename RadialFunction, typename = void>
+struct Has_second_derivative : std::false_type
+{
+};
+template <typename RadialFunction>
+struct Has_second_derivative<RadialFunction, std::void_t<decltype(std::declval<const RadialFunction&>()(1.).second)>>
+  : std::true_type
+{
+};
+
 // Boxes about ranges of a sequence of blocks of centres, in preorder. They serve to skip the blocks beyond the support of a
 // kernel.
 class Block_tree
@@ -181,6 +191,8 @@ public:
   template <int order>
   CGAL_AHR_FLATTEN Jet<order> evaluate(const Vector& y, double& squared_distance) const
   {
+    static_assert(order < 2 || Has_second_derivative<RadialFunction>::value,
+                  "second derivatives of the function need a radial function that returns them, as Rbf_jet<T, 2>");
     Sums<order> sums;
     if constexpr (has_support)
     {
@@ -214,11 +226,7 @@ private:
     const Lanes difference[3] = {y[0] - m_blocks.col(column), y[1] - m_blocks.col(column + 1), y[2] - m_blocks.col(column + 2)};
     const Lanes squared_radius = difference[0] * difference[0] + difference[1] * difference[1] + difference[2] * difference[2];
     sums.squared_distance = sums.squared_distance.min(squared_radius);
-    Lanes phi, first, second;
-    if constexpr (order < 2)
-      function(squared_radius, phi, first);
-    else
-      function(squared_radius, phi, first, second);
+    const auto phi = function(squared_radius); // all is inlined: what the order does not need is not computed
     const auto weighted = [&](const Lanes& x) -> Lanes
     {
       if constexpr (is_weighted)
@@ -226,23 +234,23 @@ private:
       else
         return x;
     };
-    sums.value += weighted(phi);
+    sums.value += weighted(phi.value);
     if constexpr (order >= 1)
     {
-      first = weighted(first);
+      const Lanes first = weighted(phi.first);
       for (int i = 0; i < 3; ++i)
         sums.gradient[i] += first * difference[i];
-    }
-    if constexpr (order >= 2)
-    {
-      second = weighted(second);
-      for (int i = 0, k = 0; i < 3; ++i)
-        for (int j = i; j < 3; ++j, ++k)
-        {
-          sums.hessian[k] += second * difference[i] * difference[j];
-          if (i == j)
-            sums.hessian[k] += first;
-        }
+      if constexpr (order >= 2 && Has_second_derivative<Function>::value)
+      {
+        const Lanes second = weighted(phi.second);
+        for (int i = 0, k = 0; i < 3; ++i)
+          for (int j = i; j < 3; ++j, ++k)
+          {
+            sums.hessian[k] += second * difference[i] * difference[j];
+            if (i == j)
+              sums.hessian[k] += first;
+          }
+      }
     }
   }
 

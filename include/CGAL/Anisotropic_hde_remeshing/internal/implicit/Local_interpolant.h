@@ -14,6 +14,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/functions/Jet.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Kernel_sum.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Quadratic_polynomial.h>
+#include <CGAL/Radial_basis_functions.h>
 
 #include <Eigen/Core>
 
@@ -44,19 +45,15 @@ class Local_interpolant
     double inverse_scale;
 
     template <class T>
-    void operator()(const T& squared_radius, T& value, T& first) const
+    Rbf_jet<T> operator()(const T& squared_radius) const
     {
       const T r2 = inverse_scale * squared_radius;
       const T r4 = r2 * r2, r8 = r4 * r4;
-      value = 1. / (r8 * r8);
-      first = (-16. * inverse_scale) * value / r2;
-    }
-
-    template <class T>
-    void operator()(const T& squared_radius, T& value, T& first, T& second) const
-    {
-      (*this)(squared_radius, value, first);
-      second = (-18. * inverse_scale) * first / (inverse_scale * squared_radius);
+      Rbf_jet<T> result;
+      result.value = 1. / (r8 * r8);
+      result.first = (-16. * inverse_scale) * result.value / r2;
+      result.second = (-18. * inverse_scale) * result.first / r2;
+      return result;
     }
   };
 

@@ -11,7 +11,7 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
-#include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Vector.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Kernel_sum.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -26,6 +26,21 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
+// Computes the entries of column j from row i on, `lanes` at a time, and advances i as far as there are so many.
+template <Eigen::Index lanes, typename RadialFunction>
+CGAL_AHR_FLATTEN void fill_column(const Eigen::Array<double, Eigen::Dynamic, 3>& centres, const RadialFunction& function,
+                                  const Eigen::Index j, Eigen::Index& i, Eigen::MatrixXd& matrix)
+{
+  typedef Eigen::Array<double, lanes, 1> Lanes;
+  for (; i + lanes <= centres.rows(); i += lanes)
+  {
+    const auto squared_difference = [&](const Eigen::Index k) -> Lanes
+    { return (centres.col(k).template segment<lanes>(i) - centres(j, k)).square(); };
+    const Lanes squared_radius = squared_difference(0) + squared_difference(1) + squared_difference(2);
+    matrix.col(j).template segment<lanes>(i) = RadialFunction::sign * function(squared_radius).value;
+  }
+}
+
 // The matrix of the paper's (11), A_ij = sign phi(|y_i - y_j|), with the ridge `smoothing` added to the diagonal.
 template <typename RadialFunction>
 Eigen::MatrixXd interpolation_matrix(const Eigen::Matrix<double, 3, Eigen::Dynamic>& centres, const RadialFunction& function,
@@ -33,14 +48,13 @@ Eigen::MatrixXd interpolation_matrix(const Eigen::Matrix<double, 3, Eigen::Dynam
 {
   const Eigen::Index n = centres.cols();
   Eigen::MatrixXd matrix(n, n);
-  const Eigen::ArrayXd x = centres.row(0), y = centres.row(1), z = centres.row(2);
-  Eigen::ArrayXd squared_radius(n), value(n), unused(n);
+  const Eigen::Array<double, Eigen::Dynamic, 3> transposed = centres.transpose();
   // column by column: mirroring a triangle would be slower than computing both
-  for (Eigen::Index j = 0; j < n; ++j)
+  for (Eigen::Index j = 0, i = 0; j < n; ++j, i = 0)
   {
-    squared_radius = (x - x[j]).square() + (y - y[j]).square() + (z - z[j]).square();
-    function(squared_radius, value, unused);
-    matrix.col(j) = RadialFunction::sign * value;
+    fill_column<8>(transposed, function, j, i, matrix);
+    fill_column<2>(transposed, function, j, i, matrix);
+    fill_column<1>(transposed, function, j, i, matrix);
   }
   matrix.diagonal().array() += smoothing;
   return matrix;
@@ -85,8 +99,7 @@ Eigen::SparseMatrix<double> sparse_interpolation_matrix(const Eigen::Matrix<doub
       const double squared_radius = (centres.col(j) - centres.col(i)).squaredNorm();
       if (squared_radius >= support * support)
         continue;
-      double value, unused;
-      function(squared_radius, value, unused);
+      const double value = function(squared_radius).value;
       entries.emplace_back((std::max)(i, j), (std::min)(i, j), value + (i == j ? smoothing : 0.));
     }
   Eigen::SparseMatrix<double> matrix(centres.cols(), centres.cols());

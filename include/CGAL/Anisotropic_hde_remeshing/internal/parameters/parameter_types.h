@@ -87,9 +87,8 @@ struct Is_radial_function : std::false_type
 };
 template <typename T, typename Subject>
 struct Is_radial_function<T, Subject,
-                          std::void_t<decltype(T::order), decltype(T::sign),
-                                      decltype(std::declval<const T&>()(1., std::declval<double&>(), std::declval<double&>()))>>
-  : std::true_type
+                          std::void_t<decltype(T::order), decltype(T::sign), decltype(std::declval<const T&>()(1.).value),
+                                      decltype(std::declval<const T&>()(1.).first)>> : std::true_type
 {
 };
 
