@@ -38,7 +38,7 @@ typedef Kernel::Point_3 Point;
 typedef Kernel::Vector_3 Vector;
 typedef CGAL::Point_set_3<Point> Point_set;
 typedef CGAL::Surface_mesh<Point> Mesh;
-typedef CGAL::Rbf_implicit_function<Kernel> Function;
+typedef CGAL::Rbf_implicit_function<Kernel, CGAL::Polyharmonic_rbf, CGAL::Parallel_if_available_tag> Function;
 
 typedef CGAL::Isosurfacing::Cartesian_grid_3<Kernel> Grid;
 typedef CGAL::Isosurfacing::Value_function_3<Grid> Values;

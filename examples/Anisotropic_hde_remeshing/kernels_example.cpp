@@ -40,7 +40,8 @@ Mesh round_mesh()
 template <typename RadialFunction>
 void tell(const Mesh& mesh, const RadialFunction& kernel)
 {
-  const CGAL::Rbf_implicit_function<Kernel, RadialFunction> f(mesh, CGAL::parameters::radial_function(kernel));
+  const CGAL::Rbf_implicit_function<Kernel, RadialFunction, CGAL::Parallel_if_available_tag> f(
+      mesh, CGAL::parameters::radial_function(kernel));
   double largest = 0; // between the vertices: at the middles of the edges, on the round sphere
   for (const Mesh::Edge_index e : mesh.edges())
   {

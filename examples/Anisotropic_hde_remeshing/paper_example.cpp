@@ -34,7 +34,7 @@ namespace Hde = CGAL::Anisotropic_hde_remeshing;
 typedef CGAL::Simple_cartesian<double> Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 typedef CGAL::Parallel_if_available_tag Tag;
-typedef CGAL::Rbf_implicit_function<Kernel, CGAL::Thin_plate_rbf> Function;
+typedef CGAL::Rbf_implicit_function<Kernel, CGAL::Thin_plate_rbf, Tag> Function;
 
 // one mesh of the paper and what became of it there
 struct Run

@@ -32,7 +32,7 @@
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef CGAL::Point_set_3<Kernel::Point_3> Point_set;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
-typedef CGAL::Rbf_implicit_function<Kernel> Function;
+typedef CGAL::Rbf_implicit_function<Kernel, CGAL::Polyharmonic_rbf, CGAL::Parallel_if_available_tag> Function;
 
 typedef CGAL::Labeled_mesh_domain_3<Kernel> Domain;
 typedef CGAL::Mesh_triangulation_3<Domain>::type Triangulation;

@@ -30,7 +30,7 @@ int main(int argc, char* argv[])
     return std::cerr << "Cannot read " << name << std::endl, 1;
 
   // one function for all three: new vertices lie on it, not on the flat triangles of the input
-  const CGAL::Rbf_implicit_function<Kernel> function(input);
+  const CGAL::Rbf_implicit_function<Kernel, CGAL::Polyharmonic_rbf, CGAL::Parallel_if_available_tag> function(input);
 
   for (const double share : {0.25, 1., 4.})
   {

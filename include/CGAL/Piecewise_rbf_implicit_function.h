@@ -64,11 +64,12 @@ The construction takes time linear in the number of points. An evaluation takes 
 
 \tparam GeomTraits a kernel; computations are in `double` whatever its number type
 \tparam RadialFunction a model of `RadialBasisFunction`, such as `Polyharmonic_rbf`
-\tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
+\tparam ConcurrencyTag `Sequential_tag` (the default), `Parallel_tag` or `Parallel_if_available_tag`: how the function is built. With
+        the latter two, `RadialFunction` is called from several threads at once. The result is the same.
 
 \cgalModels `PiecewiseImplicitFunction`
 */
-template <typename GeomTraits, typename RadialFunction = Polyharmonic_rbf, typename ConcurrencyTag = Parallel_if_available_tag>
+template <typename GeomTraits, typename RadialFunction = Polyharmonic_rbf, typename ConcurrencyTag = Sequential_tag>
 class Piecewise_rbf_implicit_function
 {
   typedef Anisotropic_hde_remeshing::internal::Value_and_gradient Value_and_gradient;

@@ -71,11 +71,12 @@ evaluation depends on the number of points only by the depth of the tree of patc
 
 \tparam GeomTraits a kernel; computations are in `double` whatever its number type
 \tparam RadialFunction a model of `RadialBasisFunction`, such as `Polyharmonic_rbf`
-\tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
+\tparam ConcurrencyTag `Sequential_tag` (the default), `Parallel_tag` or `Parallel_if_available_tag`: how the function is built. With
+        the latter two, `RadialFunction` is called from several threads at once. The result is the same.
 
 \cgalModels `ImplicitFunctionWithGradient`, and with it `ImplicitFunction`
 */
-template <typename GeomTraits, typename RadialFunction = Polyharmonic_rbf, typename ConcurrencyTag = Parallel_if_available_tag>
+template <typename GeomTraits, typename RadialFunction = Polyharmonic_rbf, typename ConcurrencyTag = Sequential_tag>
 class Rbf_implicit_function
 {
   typedef Anisotropic_hde_remeshing::internal::Patchwise_interpolant<RadialFunction, ConcurrencyTag> Interpolant;

@@ -177,7 +177,7 @@ void test_one_call()
   Mesh mesh = ellipsoid(3), expected = mesh;
   const auto np = CGAL::parameters::sigma(0.5).number_of_target_faces(2000).patch_overlap(2);
   CGAL::anisotropic_hde_remeshing<CGAL::Parallel_if_available_tag>(mesh, np);
-  const CGAL::Rbf_implicit_function<Kernel> function(expected, np);
+  const CGAL::Rbf_implicit_function<Kernel, CGAL::Polyharmonic_rbf, CGAL::Parallel_if_available_tag> function(expected, np);
   CGAL::anisotropic_hde_remeshing<CGAL::Parallel_if_available_tag>(expected, function, np);
   CHECK(digest(mesh) == digest(expected));
 }

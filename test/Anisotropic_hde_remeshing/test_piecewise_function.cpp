@@ -30,7 +30,7 @@
 
 using namespace shapes;
 using CGAL::Anisotropic_hde_remeshing::Piece_kind;
-typedef CGAL::Piecewise_rbf_implicit_function<Kernel> Function;
+typedef CGAL::Piecewise_rbf_implicit_function<Kernel, CGAL::Polyharmonic_rbf, CGAL::Parallel_if_available_tag> Function;
 typedef Mesh::Property_map<Mesh::Face_index, std::size_t> Regions;
 
 Regions regions_of(Mesh& mesh, const double angle = 30)

@@ -23,7 +23,7 @@
 #include <string>
 
 typedef CGAL::Parallel_if_available_tag Tag;
-typedef CGAL::Rbf_implicit_function<shapes::Kernel> Function;
+typedef CGAL::Rbf_implicit_function<shapes::Kernel, CGAL::Polyharmonic_rbf, Tag> Function;
 using promises::Kind;
 
 struct Case

@@ -35,7 +35,7 @@ typedef CGAL::Simple_cartesian<double> Kernel;
 typedef Kernel::Point_3 Point_3;
 typedef CGAL::Surface_mesh<Point_3> Mesh;
 typedef Mesh::Face_index Face;
-typedef CGAL::Rbf_implicit_function<Kernel> Function;
+typedef CGAL::Rbf_implicit_function<Kernel, CGAL::Polyharmonic_rbf, CGAL::Parallel_if_available_tag> Function;
 
 namespace internal = CGAL::Anisotropic_hde_remeshing::internal;
 

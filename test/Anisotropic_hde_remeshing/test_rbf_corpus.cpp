@@ -38,7 +38,7 @@ using namespace shapes;
 
 namespace internal = CGAL::Anisotropic_hde_remeshing::internal;
 
-typedef CGAL::Rbf_implicit_function<Kernel> Function;
+typedef CGAL::Rbf_implicit_function<Kernel, CGAL::Polyharmonic_rbf, CGAL::Parallel_if_available_tag> Function;
 
 // a face as the checks need it
 struct Face

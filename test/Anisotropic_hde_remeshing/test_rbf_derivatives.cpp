@@ -32,9 +32,9 @@ using namespace shapes;
 
 namespace internal = CGAL::Anisotropic_hde_remeshing::internal;
 
-typedef CGAL::Rbf_implicit_function<Kernel> Function;
-typedef CGAL::Rbf_implicit_function<Kernel, CGAL::Multiquadric_rbf> Multiquadric_function;
-typedef CGAL::Rbf_implicit_function<Kernel, CGAL::Wendland_C4_rbf> Wendland_function;
+typedef CGAL::Rbf_implicit_function<Kernel, CGAL::Polyharmonic_rbf, CGAL::Parallel_if_available_tag> Function;
+typedef CGAL::Rbf_implicit_function<Kernel, CGAL::Multiquadric_rbf, CGAL::Parallel_if_available_tag> Multiquadric_function;
+typedef CGAL::Rbf_implicit_function<Kernel, CGAL::Wendland_C4_rbf, CGAL::Parallel_if_available_tag> Wendland_function;
 
 const Ellipsoid_function exact;
 

@@ -26,9 +26,9 @@
 
 using namespace shapes;
 
-typedef CGAL::Rbf_implicit_function<Kernel> Function;
-typedef CGAL::Rbf_implicit_function<Kernel, CGAL::Thin_plate_rbf> Thin_plate_function;
-typedef CGAL::Rbf_implicit_function<Kernel, CGAL::Wendland_C2_rbf> Wendland_function;
+typedef CGAL::Rbf_implicit_function<Kernel, CGAL::Polyharmonic_rbf, CGAL::Parallel_if_available_tag> Function;
+typedef CGAL::Rbf_implicit_function<Kernel, CGAL::Thin_plate_rbf, CGAL::Parallel_if_available_tag> Thin_plate_function;
+typedef CGAL::Rbf_implicit_function<Kernel, CGAL::Wendland_C2_rbf, CGAL::Parallel_if_available_tag> Wendland_function;
 
 const Ellipsoid_function exact;
 const double diagonal = 2 * std::sqrt(30.); // of the box of the ellipsoid
@@ -146,7 +146,7 @@ double largest_residual_on_surface(const F& f, const Ellipsoid_with_normals& inp
 template <typename Radial_function>
 void test_interpolation(const double two_sided_tolerance = 1e-10)
 {
-  typedef CGAL::Rbf_implicit_function<Kernel, Radial_function> F;
+  typedef CGAL::Rbf_implicit_function<Kernel, Radial_function, CGAL::Parallel_if_available_tag> F;
   const Ellipsoid_with_normals input(4);
   std::cout << Radial_function::name() << ": residuals/D";
   for (const bool is_two_sided : {false, true})

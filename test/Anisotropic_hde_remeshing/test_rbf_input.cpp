@@ -31,7 +31,7 @@
 
 using namespace shapes;
 
-typedef CGAL::Rbf_implicit_function<Kernel> Function;
+typedef CGAL::Rbf_implicit_function<Kernel, CGAL::Polyharmonic_rbf, CGAL::Parallel_if_available_tag> Function;
 typedef std::pair<Point_3, Vector_3> Point_with_normal;
 typedef std::vector<Point_with_normal> Points_with_normals;
 

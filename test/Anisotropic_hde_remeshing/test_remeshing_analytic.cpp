@@ -99,7 +99,7 @@ void test_scans()
     Mesh input;
     if (!CHECK(PMP::IO::read_polygon_mesh(CGAL::data_file_path(std::string("meshes/") + name), input)))
       continue;
-    const CGAL::Rbf_implicit_function<Kernel> function(input);
+    const CGAL::Rbf_implicit_function<Kernel, CGAL::Polyharmonic_rbf, Tag> function(input);
     for (const double sigma : {0.005, 0.05})
     {
       Mesh mesh = input;

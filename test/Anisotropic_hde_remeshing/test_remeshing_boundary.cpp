@@ -109,7 +109,7 @@ void test_scan()
   Mesh input;
   if (!CHECK(CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(CGAL::data_file_path("meshes/lion-head.off"), input)))
     return;
-  const CGAL::Rbf_implicit_function<Kernel> function(input);
+  const CGAL::Rbf_implicit_function<Kernel, CGAL::Polyharmonic_rbf, Tag> function(input);
   Mesh mesh = input;
   const Hde::Remeshing_result result =
       CGAL::anisotropic_hde_remeshing<Tag>(mesh, function, CGAL::parameters::number_of_target_faces(12000));

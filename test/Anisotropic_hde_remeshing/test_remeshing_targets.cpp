@@ -37,7 +37,7 @@ Mesh scan(const std::string& name)
 // to one per cent, from half to four times as many faces
 void test_numbers_of_faces(const std::string& name, const Mesh& input, const double relative_sigma)
 {
-  const CGAL::Rbf_implicit_function<Kernel> function(input);
+  const CGAL::Rbf_implicit_function<Kernel, CGAL::Polyharmonic_rbf, Tag> function(input);
   for (const double factor : {0.5, 1., 2., 4.})
   {
     Mesh mesh = input;
@@ -93,7 +93,7 @@ struct Figures
 Figures remeshed(Mesh mesh, const Transformation& transformation, const double factor)
 {
   PMP::transform(transformation, mesh);
-  const CGAL::Rbf_implicit_function<Kernel> function(mesh);
+  const CGAL::Rbf_implicit_function<Kernel, CGAL::Polyharmonic_rbf, Tag> function(mesh);
   const std::size_t wanted = std::size_t(factor * double(num_faces(mesh)));
   const Hde::Remeshing_result result = CGAL::anisotropic_hde_remeshing<Tag>(
       mesh, function, CGAL::parameters::relative_sigma(0.02).number_of_target_faces(wanted));

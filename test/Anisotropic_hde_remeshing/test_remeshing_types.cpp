@@ -88,7 +88,7 @@ void test_type(const std::string& name, std::uint64_t& expected)
   CHECK(result.number_of_iterations == 10);
   CHECK(CGAL::is_valid_polygon_mesh(mesh));
   const Mesh after = to_plain_mesh(mesh, get(CGAL::vertex_point, mesh));
-  check_validity(name, before, after, CGAL::Rbf_implicit_function<Kernel>(before));
+  check_validity(name, before, after, CGAL::Rbf_implicit_function<Kernel, CGAL::Polyharmonic_rbf, Tag>(before));
   check_number_of_faces(after, 1000);
   if (expected == 0)
     expected = digest(after);

@@ -23,6 +23,7 @@ using namespace shapes;
 using namespace remeshing_checks;
 
 typedef CGAL::Parallel_if_available_tag Tag;
+typedef CGAL::Rbf_implicit_function<Kernel, CGAL::Polyharmonic_rbf, Tag> Rbf_function;
 
 // what the visitor has heard, shared by its copies
 struct Record
@@ -235,7 +236,7 @@ void test_latencies()
             CGAL::parameters::relative_sigma(0.05).number_of_target_faces(300000).number_of_iterations(3).visitor(visitor));
       });
   const Mesh input = ellipsoid(6);
-  test_latency("radial basis functions", input, CGAL::Rbf_implicit_function<Kernel>(input),
+  test_latency("radial basis functions", input, Rbf_function(input),
                [](Mesh& mesh, const Late_visitor& visitor)
                {
                  return CGAL::anisotropic_hde_remeshing<Tag>(
@@ -251,8 +252,7 @@ void test_interrupted_function()
   {
     bool go_further() { return false; }
   };
-  CHECK_THROWS(CGAL::Rbf_implicit_function<Kernel>(ellipsoid(5), CGAL::parameters::visitor(Stopping_visitor())),
-               Hde::Interrupted);
+  CHECK_THROWS(Rbf_function(ellipsoid(5), CGAL::parameters::visitor(Stopping_visitor())), Hde::Interrupted);
 }
 
 int main()

@@ -30,7 +30,7 @@ using Hde::internal::Vector;
 using shapes::Mesh;
 using shapes::Point_3;
 using shapes::Vector_3;
-typedef CGAL::Rbf_implicit_function<shapes::Kernel> Function;
+typedef CGAL::Rbf_implicit_function<shapes::Kernel, CGAL::Polyharmonic_rbf, CGAL::Parallel_if_available_tag> Function;
 
 Indexed_triangle triangle(const std::vector<Point_3>& points, const std::array<std::size_t, 3>& vertices)
 {

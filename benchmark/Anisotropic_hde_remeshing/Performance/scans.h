@@ -24,7 +24,7 @@
 #include <stdexcept>
 #include <string>
 
-typedef CGAL::Rbf_implicit_function<shapes::Kernel> Rbf_function;
+typedef CGAL::Rbf_implicit_function<shapes::Kernel, CGAL::Polyharmonic_rbf, CGAL::Parallel_if_available_tag> Rbf_function;
 
 inline shapes::Mesh read_scan(const std::string& file)
 {

@@ -112,7 +112,7 @@ Run run_with_one_function(const Mesh& input, const std::size_t faces, const doub
   run.seconds = seconds_of(
       [&]
       {
-        const CGAL::Rbf_implicit_function<Kernel> function(run.mesh);
+        const CGAL::Rbf_implicit_function<Kernel, CGAL::Polyharmonic_rbf, Tag> function(run.mesh);
         run.result = CGAL::anisotropic_hde_remeshing<Tag>(
             run.mesh, function, CGAL::parameters::relative_sigma(relative_sigma).number_of_target_faces(faces));
         run.zero_set = Hde::measure_distance_to_zero_set<Tag>(run.mesh, function).face_rms;
@@ -133,7 +133,7 @@ Run run_with_regions(const Mesh& input, const double angle, const std::size_t fa
   run.seconds += seconds_of(
       [&]
       {
-        const CGAL::Piecewise_rbf_implicit_function<Kernel> function(run.mesh, regions);
+        const CGAL::Piecewise_rbf_implicit_function<Kernel, CGAL::Polyharmonic_rbf, Tag> function(run.mesh, regions);
         run.result = remesh(run.mesh, function, creases, regions, faces, sigma);
         run.zero_set =
             Hde::measure_distance_to_zero_set<Tag>(run.mesh, function, CGAL::parameters::face_patch_map(regions)).face_rms;

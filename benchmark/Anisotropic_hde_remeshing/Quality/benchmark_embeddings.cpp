@@ -148,7 +148,7 @@ int main(int argc, char* argv[])
         throw std::invalid_argument("cannot read " + shape);
       PMP::remove_isolated_vertices(input);
       input.collect_garbage();
-      const CGAL::Rbf_implicit_function<Kernel> function(input);
+      const CGAL::Rbf_implicit_function<Kernel, CGAL::Polyharmonic_rbf, Tag> function(input);
       run_all(input, input, function, function);
     }
   }

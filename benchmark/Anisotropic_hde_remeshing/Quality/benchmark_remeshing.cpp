@@ -54,7 +54,7 @@ namespace Hde = CGAL::Anisotropic_hde_remeshing;
 namespace PMP = CGAL::Polygon_mesh_processing;
 
 typedef CGAL::Parallel_if_available_tag Tag;
-typedef CGAL::Rbf_implicit_function<Kernel> Rbf_function;
+typedef CGAL::Rbf_implicit_function<Kernel, CGAL::Polyharmonic_rbf, Tag> Rbf_function;
 
 struct Options
 {

@@ -39,7 +39,7 @@ namespace {
 
 using polygon_soups::Polygon_soup;
 typedef CGAL::Parallel_if_available_tag Tag;
-typedef CGAL::Rbf_implicit_function<shapes::Kernel> Function;
+typedef CGAL::Rbf_implicit_function<shapes::Kernel, CGAL::Polyharmonic_rbf, Tag> Function;
 typedef shapes::Mesh Mesh;
 
 // time a case may take, in seconds: some, and so much a face of input and output

@@ -36,7 +36,7 @@ typedef CGAL::Simple_cartesian<double> Kernel;
 typedef Kernel::Point_3 Point_3;
 typedef Kernel::Vector_3 Vector_3;
 typedef CGAL::Surface_mesh<Point_3> Mesh;
-typedef CGAL::Rbf_implicit_function<Kernel> Function;
+typedef CGAL::Rbf_implicit_function<Kernel, CGAL::Polyharmonic_rbf, CGAL::Parallel_if_available_tag> Function;
 typedef CGAL::IO::Color Color;
 
 Mesh read(const std::string& file)

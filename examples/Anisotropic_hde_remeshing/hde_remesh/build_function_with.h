@@ -40,13 +40,14 @@ Built_function build_with_parameters(const Mesh& mesh, const Options& o, const N
   result.kernel = RadialFunction::name();
   if (o.sharp)
   {
-    const CGAL::Piecewise_rbf_implicit_function<Kernel, RadialFunction> function(mesh, creases_of(mesh).region, np);
+    const CGAL::Piecewise_rbf_implicit_function<Kernel, RadialFunction, CGAL::Parallel_if_available_tag> function(
+        mesh, creases_of(mesh).region, np);
     result.function = Function_view::of_pieces(function);
     result.pieces = function.diagnostics();
   }
   else
   {
-    const CGAL::Rbf_implicit_function<Kernel, RadialFunction> function(mesh, np);
+    const CGAL::Rbf_implicit_function<Kernel, RadialFunction, CGAL::Parallel_if_available_tag> function(mesh, np);
     result.function = Function_view::of(function);
     result.rbf = function.diagnostics();
   }

@@ -22,7 +22,7 @@
 #include <vector>
 
 typedef CGAL::Parallel_if_available_tag Tag;
-typedef CGAL::Rbf_implicit_function<shapes::Kernel> Function;
+typedef CGAL::Rbf_implicit_function<shapes::Kernel, CGAL::Polyharmonic_rbf, Tag> Function;
 typedef shapes::Mesh Mesh;
 
 void test_awkward_shape(const shapes::Soup& soup)

@@ -31,7 +31,7 @@
 
 namespace {
 
-typedef CGAL::Rbf_implicit_function<shapes::Kernel> Function;
+typedef CGAL::Rbf_implicit_function<shapes::Kernel, CGAL::Polyharmonic_rbf, CGAL::Parallel_if_available_tag> Function;
 
 constexpr std::size_t largest_number_of_faces = 200;
 

@@ -193,7 +193,7 @@ private:
   {
     CGAL::Real_timer timer;
     timer.start();
-    const CGAL::Rbf_implicit_function<Kernel, RadialFunction> function(m_mesh, np);
+    const CGAL::Rbf_implicit_function<Kernel, RadialFunction, CGAL::Parallel_if_available_tag> function(m_mesh, np);
     const double seconds = timer.time();
     const Hde::internal::Rms_and_max distance = distance_to_ellipsoid(function, m_points);
     const Pair_of_errors residual = residuals(function, m_mesh), derivative = derivative_errors(function, m_points_near);

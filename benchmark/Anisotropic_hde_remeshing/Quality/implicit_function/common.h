@@ -32,7 +32,7 @@ using namespace shapes;
 namespace Hde = CGAL::Anisotropic_hde_remeshing;
 
 typedef CGAL::Parallel_if_available_tag Tag;
-typedef CGAL::Rbf_implicit_function<Kernel> Rbf_function;
+typedef CGAL::Rbf_implicit_function<Kernel, CGAL::Polyharmonic_rbf, Tag> Rbf_function;
 
 struct Input
 {

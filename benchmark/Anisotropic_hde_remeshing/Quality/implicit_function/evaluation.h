@@ -49,7 +49,7 @@ struct Counting_rbf : CGAL::Polyharmonic_rbf
 // them: a function that is the same but for its counting kernel is evaluated.
 inline double mean_number_of_terms(const Mesh& mesh, const std::vector<Point_3>& points)
 {
-  const CGAL::Rbf_implicit_function<Kernel, Counting_rbf> function(mesh);
+  const CGAL::Rbf_implicit_function<Kernel, Counting_rbf, CGAL::Parallel_if_available_tag> function(mesh);
   Counting_rbf::counter() = 0;
   for (const Point_3& p : points)
     function.value_and_gradient(p);
