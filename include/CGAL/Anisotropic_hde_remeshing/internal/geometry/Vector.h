@@ -17,6 +17,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <cmath>
 #include <cstddef>
 #include <sstream>
 #include <stdexcept>
@@ -57,6 +58,9 @@ Vector unit_normal(const Vector_3& normal, const std::size_t index)
 {
   return finite_vector(normal, "normal", index).stableNormalized();
 }
+
+// in radians. CGAL::approximate_angle() takes an arc cosine, which loses half of the digits of a small angle.
+inline double angle_between(const Vector& u, const Vector& v) { return std::atan2(u.cross(v).norm(), u.dot(v)); }
 
 inline double diagonal_of(const Bbox_3& box)
 {

@@ -21,7 +21,8 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// R / (2 r) of a triangle of three points that are not collinear: 1 for the equilateral one
+// R / (2 r) of a triangle of three points that are not collinear: 1 for the equilateral one. PMP's face_aspect_ratio() is another
+// measure, the longest edge over the least height.
 inline double aspect_ratio(const Vector& p, const Vector& q, const Vector& r)
 {
   // Edges are relative to the longest one. So no product overflows or vanishes, whatever the unit of the mesh. The cross

@@ -17,7 +17,6 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Surface_sample.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <mutex>
@@ -31,7 +30,7 @@ namespace internal {
 // The distance to the facets of a mesh. Its sign tells the side of the pseudonormal at the closest point (Baerentzen and
 // Aanaes). The pseudonormal is the normal of the facet. On an edge it is the sum of the normals of the facets there. At a
 // vertex it is the sum of these normals, weighted by angle. If no facet has an area, but points have normals, this is the
-// distance to the points.
+// distance to the points. (CGAL::Side_of_triangle_mesh tells the side exactly, but only of a closed mesh.)
 class Facet_distance : public Signed_distance
 {
 public:
@@ -143,7 +142,7 @@ private:
       for (int k = 0; k < 3; ++k)
       {
         const Vector out = edge(k), in = -edge((k + 2) % 3);
-        m_vertex_normals[facet[std::size_t(k)]] += std::atan2(out.cross(in).norm(), out.dot(in)) * m_facet_normals[f];
+        m_vertex_normals[facet[std::size_t(k)]] += angle_between(out, in) * m_facet_normals[f];
         m_edge_normals.emplace_back(key(facet[std::size_t(k)], facet[std::size_t((k + 1) % 3)]), m_facet_normals[f]);
       }
     }

@@ -13,7 +13,6 @@
 
 #include <CGAL/Anisotropic_hde_remeshing/Rbf_diagnostics.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Blending_tree.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Distance_at.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Off_surface_points.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Patch_check.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Patch_solver.h>

@@ -13,6 +13,8 @@
 
 #include <CGAL/Anisotropic_hde_remeshing/internal/functions/Jet.h>
 
+#include <optional>
+
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
@@ -30,6 +32,34 @@ public:
   // The same value, with a gradient along the interpolated normals of the input. The gradient is so long that Newton's step
   // along it ends on the input. This makes a surface whose normals do not jump.
   virtual Value_and_gradient with_interpolated_normals(const Vector& p) const = 0;
+};
+
+// The signed distance at one point. Several patches may ask for it; it is searched for once.
+class Distance_at
+{
+public:
+  Distance_at(const Signed_distance& distance, const Vector& point) : m_distance(distance), m_point(point) {}
+
+  const Vector& point() const { return m_point; }
+
+  const Value_and_gradient& distance()
+  {
+    if (!m_plain)
+      m_plain = m_distance.distance(m_point);
+    return *m_plain;
+  }
+
+  const Value_and_gradient& with_interpolated_normals()
+  {
+    if (!m_with_interpolated_normals)
+      m_with_interpolated_normals = m_distance.with_interpolated_normals(m_point);
+    return *m_with_interpolated_normals;
+  }
+
+private:
+  const Signed_distance& m_distance;
+  const Vector& m_point;
+  std::optional<Value_and_gradient> m_plain, m_with_interpolated_normals;
 };
 
 } // namespace internal

@@ -32,7 +32,8 @@ namespace Anisotropic_hde_remeshing {
 namespace internal {
 
 // The normal of a vertex is the mean of the unit normals of its faces, weighted by the angles of the faces at the vertex. It
-// does not depend on how the surface is triangulated. The spacing of a vertex is the mean length of its edges. `point_of` gives
+// does not depend on how the surface is triangulated. (PMP's compute_vertex_normal() is the most visible direction, another one.)
+// The spacing of a vertex is the mean length of its edges. `point_of` gives
 // the normalised point of a vertex.
 template <typename TriangleMesh, typename PointOf>
 void normal_and_spacing(const typename boost::graph_traits<TriangleMesh>::vertex_descriptor v, const TriangleMesh& tmesh,

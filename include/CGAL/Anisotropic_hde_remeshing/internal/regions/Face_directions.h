@@ -23,7 +23,6 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <queue>
@@ -87,8 +86,8 @@ public:
   // between the normals of the faces at an edge inside the mesh, in degrees
   double angle(const Edge e) const
   {
-    const Vector &n = normal(halfedge(e, m_tmesh)), &m = normal(opposite(halfedge(e, m_tmesh), m_tmesh));
-    return std::atan2(n.cross(m).norm(), n.dot(m)) * 180 / CGAL_PI;
+    const Halfedge h = halfedge(e, m_tmesh);
+    return angle_between(normal(h), normal(opposite(h, m_tmesh))) * 180 / CGAL_PI;
   }
 
 private:

@@ -34,7 +34,8 @@ struct Region_plane
   Value_and_gradient operator()(const Vector& p) const { return Value_and_gradient{{normal.dot(p - point)}, normal}; }
 };
 
-// The plane that fits the points best. Many planes are orthogonal to an axis: where all points have the same coordinate, the
+// The plane that fits the points best. CGAL::linear_least_squares_fitting_3() has it from the covariance alone, with the error that
+// is corrected below. Many planes are orthogonal to an axis: where all points have the same coordinate, the
 // plane has exactly that coordinate, too.
 inline Region_plane best_plane(const std::vector<Vector>& points, const double size)
 {

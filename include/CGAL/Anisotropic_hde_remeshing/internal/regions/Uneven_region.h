@@ -93,8 +93,6 @@ private:
 
   double length(const Edge_index e) const { return (point(m_mesh.vertex(e, 1)) - point(m_mesh.vertex(e, 0))).norm(); }
 
-  static double angle(const Vector& n, const Vector& m) { return std::atan2(n.cross(m).norm(), n.dot(m)); }
-
   void measure(const Vertex_index v)
   {
     std::array<double, 2> shortest{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
@@ -102,7 +100,7 @@ private:
     {
       const double distance = (point(w) - point(v)).norm();
       if (distance > 0)
-        m_shapes[v].turn = (std::max)(m_shapes[v].turn, angle(m_shapes[v].normal, m_shapes[w].normal) / distance);
+        m_shapes[v].turn = (std::max)(m_shapes[v].turn, angle_between(m_shapes[v].normal, m_shapes[w].normal) / distance);
       shortest[1] = (std::min)(shortest[1], (std::max)(shortest[0], distance));
       shortest[0] = (std::min)(shortest[0], distance);
     }
@@ -118,14 +116,14 @@ private:
 
   bool is_diagonal(const Edge_index e) const
   {
-    const double turn = turn_of_side * angle(shape(e, 0).normal, shape(e, 1).normal);
+    const double turn = turn_of_side * angle_between(shape(e, 0).normal, shape(e, 1).normal);
     for (const unsigned int side : {0, 1})
     {
       const Halfedge_index h = m_mesh.halfedge(e, side);
       if (m_mesh.is_border(h))
         continue;
       for (const Edge_index other : {m_mesh.edge(m_mesh.next(h)), m_mesh.edge(m_mesh.prev(h))})
-        if (is_long(other) && angle(shape(other, 0).normal, shape(other, 1).normal) < turn)
+        if (is_long(other) && angle_between(shape(other, 0).normal, shape(other, 1).normal) < turn)
           return true;
     }
     return false;
@@ -140,7 +138,7 @@ private:
     const double step =
         (std::max)(divided_ratio * (std::min)(s.short_length, t.short_length), least_turn / (std::max)(s.turn, t.turn));
     const double parts = (std::min)(most_parts, std::ceil(way.norm() / step));
-    const bool is_curved = angle(s.normal, t.normal) < 1;
+    const bool is_curved = angle_between(s.normal, t.normal) < 1;
     const Vector after_a = a + (is_curved ? Vector(way - way.dot(s.normal) * s.normal) : way) / 3;
     const Vector before_b = b - (is_curved ? Vector(way - way.dot(t.normal) * t.normal) : way) / 3;
     for (double i = 1; i < parts; ++i)

@@ -137,7 +137,7 @@ private:
     return m_directions.length(e) * (1 - bonus_of_sharpness * sharpness);
   }
 
-  // By Dijkstra's algorithm. The numbers of the vertices decide ties.
+  // By Dijkstra's algorithm. That of Boost can be ended early by an exception only. The numbers of the vertices decide ties.
   template <typename IsGoal, typename EdgeIsCreaseMap>
   void extend(const Vertex tip, const double largest, const IsGoal& is_goal, const EdgeIsCreaseMap is_crease,
               std::vector<Edge>& result)

@@ -59,7 +59,7 @@ std::size_t checked_number_of_regions(const FaceGraph& mesh, const FaceRegionMap
   return has_face.size();
 }
 
-// The regions as meshes of their own. Where a region touches itself in a vertex, each of its fans there gets its own vertex. So
+// The regions as meshes of their own. (CGAL's Face_filtered_graph takes no faces that touch in a vertex only.) Where a region touches itself in a vertex, each of its fans there gets its own vertex. So
 // the meshes are manifold.
 template <typename FaceGraph, typename VertexPointMap, typename FaceRegionMap>
 std::vector<Region_mesh> split_regions(const FaceGraph& mesh, const VertexPointMap vpm, const FaceRegionMap face_region,
