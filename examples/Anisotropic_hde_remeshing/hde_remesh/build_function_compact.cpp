@@ -5,23 +5,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Anisotropic_hde_remeshing developers
-
 #include "build_function_with.h"
 
 namespace hde_remesh {
 
-Built_function build_with_compact_kernel(const Mesh& mesh, const Options& o)
+std::vector<Named_kernel> compact_kernels()
 {
-  if (o.kernel == "wendland-c2")
-    return build_with<CGAL::Wendland_C2_rbf>(mesh, o);
-  if (o.kernel == "wendland-c4")
-    return build_with<CGAL::Wendland_C4_rbf>(mesh, o);
-  return build_with<CGAL::Wendland_C6_rbf>(mesh, o);
-}
-
-Built_function build_function(const Mesh& mesh, const Options& o)
-{
-  return o.kernel.rfind("wendland", 0) == 0 ? build_with_compact_kernel(mesh, o) : build_with_global_kernel(mesh, o);
+  return {named_kernel<CGAL::Wendland_C2_rbf>("wendland-c2"), named_kernel<CGAL::Wendland_C4_rbf>("wendland-c4"),
+          named_kernel<CGAL::Wendland_C6_rbf>("wendland-c6")};
 }
 
 } // namespace hde_remesh

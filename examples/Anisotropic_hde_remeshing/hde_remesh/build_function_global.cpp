@@ -5,22 +5,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Anisotropic_hde_remeshing developers
-
 #include "build_function_with.h"
 
 namespace hde_remesh {
 
-Built_function build_with_global_kernel(const Mesh& mesh, const Options& o)
+std::vector<Named_kernel> global_kernels()
 {
-  if (o.kernel == "thin-plate")
-    return build_with<CGAL::Thin_plate_rbf>(mesh, o);
-  if (o.kernel == "gaussian")
-    return build_with<CGAL::Gaussian_rbf>(mesh, o);
-  if (o.kernel == "multiquadric")
-    return build_with<CGAL::Multiquadric_rbf>(mesh, o);
-  if (o.kernel == "inverse-multiquadric")
-    return build_with<CGAL::Inverse_multiquadric_rbf>(mesh, o);
-  return build_with<CGAL::Polyharmonic_rbf>(mesh, o);
+  return {named_kernel<CGAL::Polyharmonic_rbf>("r3"), named_kernel<CGAL::Thin_plate_rbf>("thin-plate"),
+          named_kernel<CGAL::Gaussian_rbf>("gaussian"), named_kernel<CGAL::Multiquadric_rbf>("multiquadric"),
+          named_kernel<CGAL::Inverse_multiquadric_rbf>("inverse-multiquadric")};
 }
 
 } // namespace hde_remesh

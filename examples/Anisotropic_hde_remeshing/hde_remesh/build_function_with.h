@@ -9,6 +9,7 @@
 #ifndef HDE_REMESH_BUILD_FUNCTION_WITH_H
 #define HDE_REMESH_BUILD_FUNCTION_WITH_H
 
+#include "Named_kernel.h"
 #include "build_function.h"
 
 #include <CGAL/Piecewise_rbf_implicit_function.h>
@@ -17,12 +18,9 @@
 
 #include <cstddef>
 #include <type_traits>
+#include <vector>
 
 namespace hde_remesh {
-
-// The kernel is a type, and each is compiled by itself: in two files, so that none takes long.
-Built_function build_with_global_kernel(const Mesh& mesh, const Options& options);
-Built_function build_with_compact_kernel(const Mesh& mesh, const Options& options);
 
 template <typename RadialFunction>
 RadialFunction radial_function(const Options& o)
@@ -67,6 +65,12 @@ Built_function build_with(const Mesh& mesh, const Options& o)
           .smoothing(o.smoothing.value_or(defaults.smoothing));
   return o.offset ? build_with_parameters<RadialFunction>(mesh, o, np.offset_distance(*o.offset))
                   : build_with_parameters<RadialFunction>(mesh, o, np);
+}
+
+template <typename RadialFunction>
+Named_kernel named_kernel(const char* name)
+{
+  return {name, std::is_constructible_v<RadialFunction, double>, &build_with<RadialFunction>};
 }
 
 } // namespace hde_remesh

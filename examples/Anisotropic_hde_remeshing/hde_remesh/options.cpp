@@ -8,6 +8,7 @@
 
 #include "options.h"
 #include "Failure.h"
+#include "kernels.h"
 
 #include <CGAL/version.h>
 
@@ -123,11 +124,8 @@ void add_size_options(CLI::App& app, Options& o)
 void add_function_options(CLI::App& app, Options& o)
 {
   const std::string group = "The smooth function";
-  app.add_option("--kernel", o.kernel,
-                 "radial function: r3 (r^3, default), thin-plate (r^2 log r), gaussian, multiquadric,\n"
-                 "inverse-multiquadric, wendland-c2, wendland-c4 or wendland-c6")
-      ->check(CLI::IsMember({"r3", "thin-plate", "gaussian", "multiquadric", "inverse-multiquadric", "wendland-c2",
-                             "wendland-c4", "wendland-c6"}))
+  app.add_option("--kernel", o.kernel, "radial function, r^3 by default; thin-plate is r^2 log r")
+      ->check(CLI::IsMember(names_of_kernels()))
       ->group(group);
   app.add_option("--shape", o.shape,
                  "width of the kernel, or radius of its support, in local edge lengths; r3 and thin-plate have none")
@@ -232,7 +230,7 @@ void check_values(const Options& o)
   require_length("--overlap", o.overlap, true);
   require_length("--offset", o.offset);
   require_length("--shape", o.shape);
-  require("--shape", o.shape, o.kernel != "r3" && o.kernel != "thin-plate", "left out: the kernel has no shape parameter");
+  require("--shape", o.shape, has_shape(o.kernel), "left out: the kernel has no shape parameter");
   require_length("--smoothing", o.smoothing, true);
   require_count("--iterations", o.iterations, true);
   require_count("--relaxation-steps", o.relaxation_steps, true);
