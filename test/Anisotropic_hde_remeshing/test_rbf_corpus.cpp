@@ -132,9 +132,9 @@ struct Projection_figures
 // projects the centres of faces as the remesher does, with a trust radius four times as large as its
 Projection_figures project_centres(const Function& f, const Mesh& mesh, const Faces& faces)
 {
-  const internal::Input_surface input(faces.points(), faces.facets());
   const double diagonal = bounding_box_diagonal(mesh);
-  const internal::Surface_projection<Function> projection(f, input, 1e-9 * diagonal);
+  const internal::Input_surface input(faces.points(), faces.facets(), diagonal);
+  const internal::Surface_projection<Function> projection(f, input);
   Projection_figures result;
   for (const std::size_t i : spread_indices(faces.size(), 2000))
   {

@@ -43,7 +43,7 @@ typedef internal::Operation_guard<Working_mesh, Ellipsoid_function, Intersection
 class Scene
 {
 public:
-  Scene() : m_input({}, {}), m_projection(m_function, m_input, 1e-9), m_curves(m_no_mesh)
+  Scene() : m_input({}, {}, 1.), m_projection(m_function, m_input), m_curves(m_no_mesh)
   {
     const Mesh input = ellipsoid(6);
     for (const auto v : input.vertices())
@@ -104,7 +104,7 @@ public:
   }
 
 private:
-  Guard guard_of(const Working_mesh& mesh) { return Guard(mesh, m_function, 1, m_intersections); }
+  Guard guard_of(const Working_mesh& mesh) { return Guard(mesh, m_function, m_intersections); }
 
   const Ellipsoid_function m_function;
   const internal::Input_surface m_input;

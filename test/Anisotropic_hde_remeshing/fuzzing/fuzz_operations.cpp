@@ -90,7 +90,7 @@ class Session
 
 public:
   Session(const shapes::Soup& soup, const Surface& surface, const double sigma)
-    : m_embedding(sigma), m_input(points(soup), soup.triangles), m_projection(surface, m_input, 1e-9)
+    : m_embedding(sigma), m_input(points(soup), soup.triangles, 1.), m_projection(surface, m_input)
   {
     load(soup);
     m_guard.update_all<Tag>(m_never);
@@ -248,7 +248,7 @@ private:
   const Projection m_projection;
   internal::Curve_network m_curves{m_mesh};
   Intersections m_intersections{m_mesh, internal::Obstacles(), true};
-  const Guard m_guard{m_mesh, m_projection.function(), 1, m_intersections};
+  const Guard m_guard{m_mesh, m_projection.function(), m_intersections};
   const internal::Edge_splitter<Tag, Embedding, Projection, Guard> m_split{m_mesh,   m_embedding, m_projection,
                                                                            m_curves, m_guard,     m_never};
   const internal::Edge_collapser<Tag, Embedding, Guard> m_collapse{m_mesh, m_embedding, m_curves, m_guard, m_never};

@@ -36,8 +36,7 @@ public:
     Vector normal;   // of the zero set
   };
 
-  // `unit` is the unit of the coordinates, in that of the function
-  explicit Surface_distance(const Function& function, const double unit = 1) : m_function(function), m_unit(unit) {}
+  explicit Surface_distance(const Function& function) : m_function(function) {}
 
   // looks no further than `largest`
   Answer operator()(const Vector& p, const double largest) const
@@ -46,12 +45,12 @@ public:
     Vector q = p;
     for (int step = 0; step < newton_steps; ++step)
     {
-      Value_and_gradient at_q = value_and_gradient_of(m_function, m_unit * q);
+      Value_and_gradient at_q = value_and_gradient_of(m_function, q);
       const double slope = at_q.gradient.norm();
       if (!(slope > 0) || !std::isfinite(slope) || !std::isfinite(at_q.value))
         return nothing;
       const Vector normal = at_q.gradient / slope;
-      const double way = at_q.value / (slope * m_unit);
+      const double way = at_q.value / slope;
       q -= way * normal;
       const double distance = (q - p).norm();
       if (!(distance <= largest))
@@ -64,7 +63,6 @@ public:
 
 private:
   const Function& m_function;
-  const double m_unit;
 };
 
 } // namespace internal

@@ -12,24 +12,29 @@
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_visitor.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Interruption.h>
 
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// The caller's visitor without its type. This class tells the visitor what happens. `Interruption` asks the visitor whether to
-// go on.
+// The caller's visitor without its type. This class tells the visitor what happens. Its `Interruption` asks the visitor whether
+// to go on.
 class Visitor_reference
 {
 public:
   template <typename Visitor>
-  explicit Visitor_reference(Visitor& visitor)
-    : m_visitor(&visitor), m_stage_started(&stage_started_of<Visitor>), m_progress(&progress_of<Visitor>)
+  Visitor_reference(Visitor& visitor, Interruption& interruption)
+    : m_visitor(&visitor),
+      m_interruption(&interruption),
+      m_stage_started(&stage_started_of<Visitor>),
+      m_progress(&progress_of<Visitor>)
   {
   }
 
   void stage_started(const Stage stage) const { m_stage_started(m_visitor, stage); }
   void progress(const double share) const { m_progress(m_visitor, share); }
+  Interruption& interruption() const { return *m_interruption; }
 
 private:
   template <typename Visitor>
@@ -45,6 +50,7 @@ private:
   }
 
   void* m_visitor;
+  Interruption* m_interruption;
   void (*m_stage_started)(void*, Stage);
   void (*m_progress)(void*, double);
 };

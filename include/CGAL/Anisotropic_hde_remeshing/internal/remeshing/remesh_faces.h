@@ -147,18 +147,26 @@ Remeshing_result remesh_faces(const FaceRange& faces, TriangleMesh& tmesh, const
   points.reserve(mesh.number_of_vertices());
   for (const Vertex_index v : mesh.vertices())
     points.push_back(mesh.point(v).point);
-  const Input_surface input(std::move(points), origin.facets);
+  const Input_surface input(std::move(points), origin.facets, origin.diagonal / origin.unit);
   const Embedding embedding = embedding_parameter(np, origin.diagonal);
   if constexpr (std::is_same<Embedding, Normal_embedding>::value)
     result.sigma = embedding.sigma();
   auto intersections = intersections_parameter(np, mesh, tmesh, vpm, origin, is_whole_mesh);
-  Remeshing_parameters parameters = remeshing_parameters(np);
-  parameters.error = error_parameter(np, origin.diagonal) / origin.unit;
   const Embedding embedding_in_unit = embedding.in_unit(origin.unit);
-  const Target_length target = target_length(np, embedding_in_unit.unit_of_lengths(origin.diagonal),
-                                             embedding_in_unit.unit_of_lengths(origin.unit), mesh.number_of_faces());
-  remesh<ConcurrencyTag>(mesh, embedding_in_unit, Surface_function(function), input, intersections, origin.diagonal,
-                         origin.unit, Visitor_reference(visitor), interruption, parameters, target, result);
+  const double unit_of_lengths = embedding_in_unit.unit_of_lengths(origin.unit);
+  const Remeshing_parameters parameters =
+      remeshing_parameters(np, embedding_in_unit, origin.diagonal, origin.unit, mesh.number_of_faces());
+  try
+  {
+    const Remeshing_report report =
+        remesh<ConcurrencyTag>(mesh, embedding_in_unit, Surface_function(function, origin.unit), input, intersections,
+                               parameters, Visitor_reference(visitor, interruption));
+    write_report(report, origin.unit, unit_of_lengths, result);
+  }
+  catch (const Too_many_faces& too_many)
+  {
+    throw_too_many_faces(too_many, unit_of_lengths);
+  }
   result.was_stopped = interruption.is_requested();
   if (result.was_stopped && result.number_of_iterations == 0)
     return result; // some vertices may not be on the surface yet
@@ -166,8 +174,8 @@ Remeshing_result remesh_faces(const FaceRange& faces, TriangleMesh& tmesh, const
   Real_timer timer;
   timer.start();
   visitor.stage_started(Stage::OUTPUT);
-  if (!target.is_length_given() && target.number_of_faces() < double(largest_number_of_faces))
-    result.number_of_target_faces = std::size_t(target.number_of_faces());
+  if (!parameters.target.is_length_given() && parameters.target.number_of_faces() < double(largest_number_of_faces))
+    result.number_of_target_faces = std::size_t(parameters.target.number_of_faces());
   result.number_of_faces = mesh.number_of_faces();
   result.number_of_needles = number_of_needles(mesh);
   std::vector<Input_location> locations;

@@ -35,7 +35,7 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// the parameters of the iterations, checked
+// the parameters of the remeshing in the unit of the working mesh, checked
 struct Remeshing_parameters
 {
   Remeshing_scheme scheme = Remeshing_scheme::DEFAULT;
@@ -46,13 +46,15 @@ struct Remeshing_parameters
   double split_ratio = 4. / 3;
   bool fit_to_surface = false;
   double error = 0; // the largest distance to the surface; 0 if none is asked for
+  Target_length target = Target_length::of_number_of_faces(0);
 };
 
 template <typename NamedParameters, typename Name>
 constexpr bool is_given = !parameters::is_default_parameter<NamedParameters, Name>::value;
 
+// those that are no lengths
 template <typename NamedParameters>
-Remeshing_parameters remeshing_parameters(const NamedParameters& np)
+Remeshing_parameters iteration_parameters(const NamedParameters& np)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -158,20 +160,42 @@ Target_length target_length(const NamedParameters& np, const double diagonal, co
     return Target_length::of_number_of_faces(number_of_faces);
 }
 
-// A length may ask for too many faces. Only the mesh can tell.
-inline void check_number_of_faces(const Target_length& target, const double unit)
+// A length may ask for too many faces. Only the mesh can tell. The length is in the unit of the working mesh.
+struct Too_many_faces
+{
+  double length, number_of_faces;
+};
+
+inline void check_number_of_faces(const Target_length& target)
 {
   if (target.number_of_faces() > double(largest_number_of_faces))
-    throw_invalid_argument("the target edge length", target.length() * unit,
-                           "so large that the mesh has at most " + std::to_string(largest_number_of_faces) +
-                               " faces, not about " + std::to_string(target.number_of_faces()));
+    throw Too_many_faces{target.length(), target.number_of_faces()};
+}
+
+// `unit_of_lengths` is that of lengths in the embedding, in the caller's unit
+[[noreturn]] inline void throw_too_many_faces(const Too_many_faces& too_many, const double unit_of_lengths)
+{
+  throw_invalid_argument("the target edge length", too_many.length * unit_of_lengths,
+                         "so large that the mesh has at most " + std::to_string(largest_number_of_faces) +
+                             " faces, not about " + std::to_string(too_many.number_of_faces));
+}
+
+// All parameters for a mesh in `unit`. `embedding` is in this unit, the diagonal in the caller's.
+template <typename NamedParameters, typename Embedding>
+Remeshing_parameters remeshing_parameters(const NamedParameters& np, const Embedding& embedding, const double diagonal,
+                                          const double unit, const std::size_t number_of_faces)
+{
+  Remeshing_parameters result = iteration_parameters(np);
+  result.error = error_parameter(np, diagonal) / unit;
+  result.target = target_length(np, embedding.unit_of_lengths(diagonal), embedding.unit_of_lengths(unit), number_of_faces);
+  return result;
 }
 
 // checks all that can be wrong with the parameters, before anything is computed
 template <typename NamedParameters>
 void check_parameters(const NamedParameters& np)
 {
-  const Remeshing_parameters parameters = remeshing_parameters(np);
+  const Remeshing_parameters parameters = iteration_parameters(np);
   embedding_parameter(np, 1);
   error_parameter(np, 1);
   const Target_length target = target_length(np, 1, 1, 1);

@@ -23,9 +23,8 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// `unit` is that of the copy
 template <typename Mesh>
-Feature_curves feature_curves(const Mesh& mesh, const double unit)
+Feature_curves feature_curves(const Mesh& mesh)
 {
   Feature_curves result;
   std::vector<int> curves;
@@ -36,7 +35,7 @@ Feature_curves feature_curves(const Mesh& mesh, const double unit)
     const int curve = mesh.arc(mesh.halfedge(e)).curve;
     if (curve >= 0)
       curves.push_back(curve);
-    result.length += (mesh.point(mesh.vertex(e, 0)).point - mesh.point(mesh.vertex(e, 1)).point).norm() * unit;
+    result.length += (mesh.point(mesh.vertex(e, 0)).point - mesh.point(mesh.vertex(e, 1)).point).norm();
   }
   std::sort(curves.begin(), curves.end());
   result.number_of_curves = std::size_t(std::unique(curves.begin(), curves.end()) - curves.begin());

@@ -32,11 +32,10 @@ template <typename Function>
 class Deviation_guard
 {
 public:
-  // `unit` is that of the coordinates, in the unit of the function
-  Deviation_guard(const Function& function, const double unit)
+  explicit Deviation_guard(const Function& function)
   {
     for (std::size_t i = 0; i < number_of_pieces(function); ++i)
-      m_distances.emplace_back(piece(function, Region(i)), unit);
+      m_distances.emplace_back(piece(function, Region(i)));
   }
 
   // before this call the guard accepts all faces

@@ -31,9 +31,8 @@ class Operation_guard
   typedef Local_change<Mesh> Change;
 
 public:
-  // `unit` is that of the coordinates, in the unit of the function
-  Operation_guard(const Mesh& mesh, const Function& function, const double unit, Intersections& intersections)
-    : m_mesh(mesh), m_faces(mesh), m_folds(mesh), m_deviation(function, unit), m_intersections(intersections)
+  Operation_guard(const Mesh& mesh, const Function& function, Intersections& intersections)
+    : m_mesh(mesh), m_faces(mesh), m_folds(mesh), m_deviation(function), m_intersections(intersections)
   {
   }
 

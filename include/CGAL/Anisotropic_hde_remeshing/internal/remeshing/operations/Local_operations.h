@@ -11,7 +11,6 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
-#include <CGAL/Anisotropic_hde_remeshing/Remeshing_result.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Duration.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Interruption.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/operations/Edge_collapser.h>
@@ -25,6 +24,13 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
+// how many operations were done, and the wall time that they took
+struct Operation_statistics
+{
+  std::size_t number_of_splits = 0, number_of_collapses = 0, number_of_flips = 0;
+  double split_seconds = 0, collapse_seconds = 0, flip_seconds = 0, smoothing_seconds = 0;
+};
+
 // The paper's four local operations on one mesh, behind one guard, counted and timed.
 template <typename ConcurrencyTag, typename Embedding, typename Projection, typename Guard>
 class Local_operations
@@ -33,12 +39,11 @@ class Local_operations
 
 public:
   Local_operations(Mesh& mesh, const Embedding& embedding, const Projection& projection, const Curve_network& curves,
-                   const Guard& guard, Interruption& interruption, Remeshing_result& result)
+                   const Guard& guard, Interruption& interruption)
     : m_split(mesh, embedding, projection, curves, guard, interruption),
       m_collapse(mesh, embedding, curves, guard, interruption),
       m_flip(mesh, embedding, guard, interruption),
-      m_smooth(mesh, embedding, projection, curves, guard, interruption),
-      m_result(result)
+      m_smooth(mesh, embedding, projection, curves, guard, interruption)
   {
   }
 
@@ -46,39 +51,41 @@ public:
   template <typename... Arguments>
   std::size_t split(const Arguments&... arguments)
   {
-    const Duration duration(m_result.split_seconds);
+    const Duration duration(m_statistics.split_seconds);
     const std::size_t count = m_split(arguments...);
-    m_result.number_of_splits += count;
+    m_statistics.number_of_splits += count;
     return count;
   }
 
   template <typename... Arguments>
   std::size_t collapse(const Arguments&... arguments)
   {
-    const Duration duration(m_result.collapse_seconds);
+    const Duration duration(m_statistics.collapse_seconds);
     const std::size_t count = m_collapse(arguments...);
-    m_result.number_of_collapses += count;
+    m_statistics.number_of_collapses += count;
     return count;
   }
 
   void flip(const Flip_criterion criterion)
   {
-    const Duration duration(m_result.flip_seconds);
-    m_result.number_of_flips += m_flip(criterion);
+    const Duration duration(m_statistics.flip_seconds);
+    m_statistics.number_of_flips += m_flip(criterion);
   }
 
   void smooth(const double ratio, const Smoothing_step kind)
   {
-    const Duration duration(m_result.smoothing_seconds);
+    const Duration duration(m_statistics.smoothing_seconds);
     m_smooth(ratio, kind);
   }
+
+  const Operation_statistics& statistics() const { return m_statistics; }
 
 private:
   const Edge_splitter<ConcurrencyTag, Embedding, Projection, Guard> m_split;
   const Edge_collapser<ConcurrencyTag, Embedding, Guard> m_collapse;
   const Edge_flipper<ConcurrencyTag, Embedding, Guard> m_flip;
   Vertex_smoother<ConcurrencyTag, Embedding, Projection, Guard> m_smooth;
-  Remeshing_result& m_result;
+  Operation_statistics m_statistics;
 };
 
 } // namespace internal

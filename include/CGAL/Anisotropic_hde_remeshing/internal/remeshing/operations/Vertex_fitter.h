@@ -62,11 +62,10 @@ class Vertex_fitter
   }
 
 public:
-  // `unit` is that of the coordinates, in the unit of the function
-  Vertex_fitter(const Function& function, const double unit = 1)
+  explicit Vertex_fitter(const Function& function)
   {
     for (std::size_t i = 0; i < number_of_pieces(function); ++i)
-      m_distances.emplace_back(piece(function, Region(i)), unit);
+      m_distances.emplace_back(piece(function, Region(i)));
   }
 
   // Moves the points whose vertices are free. `normals` has unit vectors for the vertices that are free. `regions` are those of

@@ -11,7 +11,6 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
-#include <CGAL/Anisotropic_hde_remeshing/Remeshing_result.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Interruption.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/curves/Curve_placement.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/Simultaneous_moves.h>
@@ -37,13 +36,8 @@ class Vertex_projector
 
 public:
   Vertex_projector(Mesh& mesh, const Embedding& embedding, const Projection& projection, const Curve_network& curves,
-                   const Guard& guard, Remeshing_result& result)
-    : m_mesh(mesh),
-      m_embedding(embedding),
-      m_projection(projection),
-      m_placement(embedding, projection, curves),
-      m_guard(guard),
-      m_result(result)
+                   const Guard& guard)
+    : m_mesh(mesh), m_embedding(embedding), m_projection(projection), m_placement(embedding, projection, curves), m_guard(guard)
   {
   }
 
@@ -77,11 +71,14 @@ public:
     for (const Vertex_index v : m_mesh.vertices())
       if (is_chosen(v) && (!moves.is_moved(v) || m_mesh.point(v).is_on_input) && is_free(v) &&
           !m_projection.is_on_surface(m_mesh.point(v), region(v)))
-        ++m_result.number_of_unprojected_vertices;
+        ++m_number_of_unprojected_vertices;
     return true;
   }
 
   bool project_exactly(Interruption& interruption) { return project_exactly(all, interruption); }
+
+  // how many vertices exact projections have left off the surface
+  std::size_t number_of_unprojected_vertices() const { return m_number_of_unprojected_vertices; }
 
   // moves vertices off the surface again, by least squares
   void fit(Interruption& interruption)
@@ -104,7 +101,7 @@ public:
       facets.push_back(Facet{t.a, t.b, t.c});
       regions.push_back(m_mesh.region(m_mesh.halfedge(f)));
     }
-    const Vertex_fitter<ConcurrencyTag, typename Projection::Function> fit(m_projection.function(), m_projection.unit());
+    const Vertex_fitter<ConcurrencyTag, typename Projection::Function> fit(m_projection.function());
     fit(points, normals, is_fitted, facets, regions);
     Moves moves(m_mesh);
     moves.template propose<ConcurrencyTag>([&](const Vertex_index v) { return bool(is_fitted[v]); },
@@ -166,7 +163,7 @@ private:
   const Projection& m_projection;
   const Curve_placement<Embedding, Projection> m_placement;
   const Guard& m_guard;
-  Remeshing_result& m_result; // counts the vertices that are not on the surface
+  std::size_t m_number_of_unprojected_vertices = 0;
 };
 
 } // namespace internal

@@ -22,12 +22,13 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// The facets of the input with their vertex normals. A projection ends on them if the function leads nowhere.
+// The facets of the input with their vertex normals. A projection ends on them if the function leads nowhere. Shares of the
+// diagonal refer to the box about the whole input, of which these may be a part.
 class Input_surface
 {
 public:
-  Input_surface(std::vector<Vector> points, std::vector<Facet> facets)
-    : m_points(std::move(points)), m_facets(std::move(facets)), m_normals(m_points.size(), Vector::Zero())
+  Input_surface(std::vector<Vector> points, std::vector<Facet> facets, const double diagonal)
+    : m_points(std::move(points)), m_facets(std::move(facets)), m_normals(m_points.size(), Vector::Zero()), m_diagonal(diagonal)
   {
     for (const Facet& facet : m_facets)
     {
@@ -44,6 +45,8 @@ public:
 
   // whether all facets are degenerate, so that there is no closest one
   bool empty() const { return m_closest_facet.empty(); }
+
+  double diagonal() const { return m_diagonal; }
 
   // requires that it is not empty
   Closest_facet::Answer closest(const Vector& p) const { return m_closest_facet(p); }
@@ -67,6 +70,7 @@ private:
   std::vector<Vector> m_points;
   std::vector<Facet> m_facets;
   std::vector<Vector> m_normals;
+  double m_diagonal;
   Closest_facet m_closest_facet{m_points, m_facets};
 };
 

@@ -16,14 +16,16 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/functions/pieces.h>
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// The caller's function without its type. The remesher is no template of that type, so it is compiled once for all functions,
-// which takes half a minute. A call through a pointer takes nanoseconds, an evaluation of radial basis functions microseconds.
+// The caller's function without its type and in the unit of the working mesh. The remesher is no template of that type, so it
+// is compiled once for all functions, which takes half a minute. A call through a pointer takes nanoseconds, an evaluation of
+// radial basis functions microseconds. Behind this door nothing knows the caller's unit.
 class Surface_function
 {
 public:
@@ -31,12 +33,26 @@ public:
   class Piece
   {
   public:
+    // `unit` is the unit of the points here, in the caller's
     template <typename Function>
-    explicit Piece(const Function& function) : m_function(&function), m_evaluate(&evaluate<Function>)
+    Piece(const Function& function, const double unit) : m_function(&function), m_evaluate(&evaluate<Function>), m_unit(unit)
     {
     }
 
-    Value_and_gradient operator()(const Vector& p) const { return m_evaluate(m_function, p); }
+    // The value is a length, so it has the unit of the points. It is not a number where the caller's point would overflow.
+    Value_and_gradient operator()(const Vector& p) const
+    {
+      const Vector point = m_unit * p;
+      if (!point.allFinite())
+      {
+        Value_and_gradient none;
+        none.value = std::numeric_limits<double>::quiet_NaN();
+        return none;
+      }
+      Value_and_gradient result = m_evaluate(m_function, point);
+      result.value /= m_unit;
+      return result;
+    }
 
   private:
     template <typename Function>
@@ -47,14 +63,15 @@ public:
 
     const void* m_function;
     Value_and_gradient (*m_evaluate)(const void*, const Vector&);
+    double m_unit;
   };
 
-  // keeps references to the pieces of the function
+  // Keeps references to the pieces of the function. `unit` is the unit of the points here, in the caller's.
   template <typename Function>
-  explicit Surface_function(const Function& function) : m_is_piecewise(internal::is_piecewise<Function>)
+  explicit Surface_function(const Function& function, const double unit = 1) : m_is_piecewise(internal::is_piecewise<Function>)
   {
     for (std::size_t i = 0; i < internal::number_of_pieces(function); ++i)
-      m_pieces.emplace_back(internal::piece(function, Region(i)));
+      m_pieces.emplace_back(internal::piece(function, Region(i)), unit);
   }
 
   // whether the function is meant to have sharp edges

@@ -37,6 +37,8 @@ public:
   typedef ImplicitFunction Function;
 
 private:
+  // The distance to the zero set that exact projections reach, over the diagonal. One more step of Newton's method squares it.
+  static constexpr double exact_distance = 1e-9;
   static constexpr int newton_steps = 8;
   static constexpr int bisection_steps = 60;
   static constexpr double settled = 1e-4;    // of the exact distance: there Newton's method ends
@@ -45,13 +47,10 @@ private:
   static constexpr double smallest_squared_sine = 0.067;
 
 public:
-  // `exact_distance` is the distance to the zero set that exact projections reach, in the unit of the coordinates. `unit` is
-  // this unit in the unit of the function.
-  Surface_projection(const Function& function, const Input_surface& input, const double exact_distance, const double unit = 1)
+  Surface_projection(const Function& function, const Input_surface& input)
     : m_function(function),
       m_input(input),
-      m_exact_distance(exact_distance),
-      m_unit(unit),
+      m_exact_distance(exact_distance * input.diagonal()),
       m_orientations(number_of_pieces(function), 1.)
   {
   }
@@ -62,7 +61,6 @@ public:
 
   const Function& function() const { return m_function; }
   const Input_surface& input() const { return m_input; }
-  double unit() const { return m_unit; }
 
   // Whether `project()` would hardly move the point. The limit for the last step is a thousand times the distance that counts
   // as exact, 1e-6 of the diagonal. After a last step Newton's method leaves a distance of its square times half a curvature.
@@ -151,15 +149,13 @@ private:
   Value_and_gradient evaluate(const Vector& p, const Region region) const
   {
     // A point may overflow, for instance after a step where the curvature overflows. No function has to answer there.
-    if (!std::isfinite(p.squaredNorm()) || !(m_unit * p).allFinite())
+    if (!std::isfinite(p.squaredNorm()))
     {
       Value_and_gradient none;
       none.value = std::numeric_limits<double>::quiet_NaN();
       return none;
     }
-    Value_and_gradient result = value_and_gradient_of(piece(m_function, region), m_unit * p);
-    result.value /= m_unit;
-    return result;
+    return value_and_gradient_of(piece(m_function, region), p);
   }
 
   static bool unit_vector(const Vector& gradient, Vector& normal)
@@ -263,7 +259,6 @@ private:
   const Function& m_function;
   const Input_surface& m_input;
   double m_exact_distance;
-  double m_unit;
   std::vector<double> m_orientations; // by region: 1 or -1
   mutable std::atomic<std::size_t> m_number_by_newton{0}, m_number_by_bisection{0}, m_number_by_closest_point{0};
 };

@@ -35,11 +35,7 @@ class Deviation_bound
   static constexpr double share_of_second_difference = 0.5;
 
 public:
-  // `unit` is that of the coordinates, in the unit of the function
-  Deviation_bound(const Function& function, const double unit, const Other_distance& other)
-    : m_distance(function, unit), m_other(other)
-  {
-  }
+  Deviation_bound(const Function& function, const Other_distance& other) : m_distance(function), m_other(other) {}
 
   double operator()(const Vector& a, const Vector& b, const Vector& c, const double allowed) const
   {

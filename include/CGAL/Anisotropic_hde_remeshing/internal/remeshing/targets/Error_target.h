@@ -45,12 +45,12 @@ class Error_target
   static constexpr double smallest_face = 4;
 
 public:
-  Error_target(const Mesh& mesh, const Function& function, const Input_surface& input, const double unit, const double error,
+  Error_target(const Mesh& mesh, const Function& function, const Input_surface& input, const double error,
                Interruption& interruption)
     : m_mesh(mesh), m_to_input{input}, m_error(error), m_interruption(interruption)
   {
     for (std::size_t i = 0; i < number_of_pieces(function); ++i)
-      m_bounds.emplace_back(piece(function, Region(i)), unit, m_to_input);
+      m_bounds.emplace_back(piece(function, Region(i)), m_to_input);
   }
   Error_target(const Error_target&) = delete;
 
