@@ -18,7 +18,7 @@ namespace internal {
 #ifdef CGAL_LINKED_WITH_TBB
 template class Patchwise_interpolant<Polyharmonic_rbf, Parallel_tag>;
 CGAL_AHR_REMESH(Parallel_tag, Normal_embedding, No_intersections);
-CGAL_AHR_REMESH(Parallel_tag, Curvature_metric, No_intersections);
+CGAL_AHR_REMESH(Parallel_tag, Curvature_embedding, No_intersections);
 #endif
 
 } // namespace internal

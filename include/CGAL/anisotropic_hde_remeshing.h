@@ -228,7 +228,7 @@ vertices are dropped.
                           `sigma` and `relative_sigma`. `Anisotropic_hde_remeshing::Curvature_metric` is for a small distance to
                           the surface, `Anisotropic_hde_remeshing::Adaptive_normal_embedding` is for meshes of which no scale is
                           known, `Anisotropic_hde_remeshing::Scalar_field_embedding` is for a field that is to be resolved.}
-    \cgalParamType{a model of `RemeshingEmbedding`}
+    \cgalParamType{a model of `RemeshingEmbedding` or of `RemeshingMetric`}
     \cgalParamDefault{`Anisotropic_hde_remeshing::Normal_embedding` with \f$ \sigma \f$. If an approximation error is given and
                       sigma is not: `Anisotropic_hde_remeshing::Curvature_metric` with \f$ p = \infty \f$}
   \cgalParamNEnd

@@ -133,7 +133,8 @@ void test_metric_intersection()
 void test_gradation()
 {
   typedef Hde::Curvature_metric Metric;
-  typedef internal::Working_mesh<Metric::Vertex_data> Working_mesh;
+  typedef internal::Metric_embedding<Metric> Embedding;
+  typedef internal::Working_mesh<Embedding::Vertex_data> Working_mesh;
   const Mesh input = ellipsoid(4, Ellipsoid_function{0.05, 1, 1});
   Working_mesh mesh;
   std::vector<internal::Vertex_index> vertices;
@@ -158,7 +159,8 @@ void test_gradation()
   const auto largest_violation = [&](const Metric& metric)
   {
     internal::Interruption never;
-    internal::Metric_updater<Tag, Working_mesh, Metric>(mesh, metric, diagonal, length, never)();
+    const Embedding embedding(metric);
+    internal::Metric_updater<Tag, Working_mesh, Embedding>(mesh, embedding, diagonal, length, never)();
     double largest = 0;
     for (const internal::Halfedge_index h : mesh.halfedges())
     {
@@ -179,7 +181,7 @@ void test_gradation()
   CHECK(without > 1.3);
 
   largest_violation(Metric(2));
-  const Metric metric(2);
+  const Embedding metric(Metric(2));
   double worst = 0;
   for (const internal::Face_index f : mesh.faces())
   {

@@ -22,8 +22,8 @@ the bounding box of the mesh is less than one and no less than a half. Const mem
 
 \cgalHasModel `CGAL::Anisotropic_hde_remeshing::Normal_embedding`
 \cgalHasModel `CGAL::Anisotropic_hde_remeshing::Scalar_field_embedding`
-\cgalHasModel `CGAL::Anisotropic_hde_remeshing::Curvature_metric`
-\cgalHasModel `CGAL::Anisotropic_hde_remeshing::Adaptive_normal_embedding`
+
+\sa `RemeshingMetric`, which is shorter to write where a matrix is all that is needed
 */
 class RemeshingEmbedding
 {

@@ -33,7 +33,7 @@ template <typename NamedParameters>
 Remeshing_result remesh_with_all(Mesh& mesh, const Function_view& function, const Options& o, const NamedParameters& np)
 {
   // what the scheme has where nothing is given
-  const auto defaults = CGAL::Anisotropic_hde_remeshing::internal::remeshing_parameters(np);
+  const auto defaults = CGAL::Anisotropic_hde_remeshing::internal::iteration_parameters(np);
   const Creases creases = creases_of(mesh);
   const Remeshing_result result = CGAL::anisotropic_hde_remeshing<CGAL::Parallel_if_available_tag>(
       mesh, function,

@@ -12,7 +12,6 @@
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/check_parameters.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/targets/Metric_tensor.h>
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
@@ -26,7 +25,7 @@ namespace Anisotropic_hde_remeshing {
 /*!
 \ingroup PkgAnisotropicHdeRemeshingRef
 
-the bounds of a metric that follows from the curvature
+the bounds that the remesher puts on a metric
 */
 struct Metric_bounds
 {
@@ -38,79 +37,17 @@ struct Metric_bounds
 
 namespace internal {
 
-// What the embeddings by a metric have in common. `Metric` computes the metric of the tangent plane from a shape operator.
-template <typename Metric>
-class Metric_embedding
+inline const Metric_bounds& checked_bounds(const Metric_bounds& bounds)
 {
-public:
-  struct Vertex_data : Metric_tensor
-  {
-  };
-
-  explicit Metric_embedding(const Metric_bounds& bounds) : m_bounds(bounds)
-  {
-    checked_between("Metric_bounds::shortest_edge", bounds.shortest_edge, 0, 1);
-    checked_positive("Metric_bounds::longest_edge", bounds.longest_edge);
-    if (!(bounds.shortest_edge < bounds.longest_edge))
-      throw_invalid_argument("Metric_bounds::longest_edge", bounds.longest_edge, "longer than shortest_edge");
-    checked_positive("Metric_bounds::turn", bounds.turn);
-    if (!(bounds.gradation > 1))
-      throw_invalid_argument("Metric_bounds::gradation", bounds.gradation, "above 1");
-  }
-
-  double shortest_edge() const { return m_bounds.shortest_edge; }
-  double longest_edge() const { return m_bounds.longest_edge; }
-  double turn() const { return m_bounds.turn; }
-  double gradation() const { return m_bounds.gradation; }
-
-  // The metric follows from the curvature around a vertex, which is known only once it has neighbours.
-  void place(Vertex_data&) const {}
-
-  template <typename Vertex>
-  void place_between(const Vertex& a, const Vertex& b, Vertex& middle) const
-  {
-    static_cast<Metric_tensor&>(middle) = Metric_tensor::mean(a, b);
-  }
-
-  // by the mean of the metrics at the ends
-  template <typename Vertex>
-  double squared_length(const Vertex& a, const Vertex& b) const
-  {
-    return Metric_tensor::mean(a, b).squared_length(b.point - a.point);
-  }
-
-  // computed in space: the centroid of a triangle is the same in all constant metrics
-  template <typename Vertex>
-  class Centroid
-  {
-  public:
-    Centroid(const Metric_embedding&, const Vertex& center, const Eigen::Matrix<double, 3, 2>& frame)
-      : m_center(center), m_frame(frame)
-    {
-    }
-
-    void add_neighbor(const Eigen::Vector2d&, const Vertex&) {}
-
-    // Large faces weigh more than by their areas. This makes the largest faces smaller, and with them the largest distances.
-    void add_face(const double area, const Vertex& a, const Vertex& b)
-    {
-      const double weight = area * std::sqrt(area);
-      m_weight += weight;
-      m_in_space += weight * ((a.point + b.point + m_center.point) / 3 - m_center.point);
-    }
-
-    Eigen::Vector2d tangential_step(const Eigen::Matrix2d&) const { return m_frame.transpose() * m_in_space / m_weight; }
-
-  private:
-    const Vertex& m_center;
-    const Eigen::Matrix<double, 3, 2>& m_frame;
-    Eigen::Vector3d m_in_space = Eigen::Vector3d::Zero();
-    double m_weight = 0;
-  };
-
-private:
-  Metric_bounds m_bounds;
-};
+  checked_between("Metric_bounds::shortest_edge", bounds.shortest_edge, 0, 1);
+  checked_positive("Metric_bounds::longest_edge", bounds.longest_edge);
+  if (!(bounds.shortest_edge < bounds.longest_edge))
+    throw_invalid_argument("Metric_bounds::longest_edge", bounds.longest_edge, "longer than shortest_edge");
+  checked_positive("Metric_bounds::turn", bounds.turn);
+  if (!(bounds.gradation > 1))
+    throw_invalid_argument("Metric_bounds::gradation", bounds.gradation, "above 1");
+  return bounds;
+}
 
 } // namespace internal
 
@@ -135,29 +72,36 @@ estimated from the normals of its neighbours.
 
 A length in this metric has the unit of space to the power of \f$ 1/2 + 1 / (2p + 2) \f$.
 
-\cgalModels `RemeshingEmbedding`
+\cgalModels `RemeshingMetric`
 */
-class Curvature_metric : public internal::Metric_embedding<Curvature_metric>
+class Curvature_metric
 {
-  typedef internal::Metric_embedding<Curvature_metric> Base;
-
 public:
   /// \param p the norm, from 1 to infinity
   /// \param bounds see `Metric_bounds`
   /// \throw std::invalid_argument if `p` is less than 1 or not a number, or the bounds are out of their ranges
-  explicit Curvature_metric(const double p = 2, const Metric_bounds& bounds = Metric_bounds()) : Base(bounds), m_p(p)
+  explicit Curvature_metric(const double p = 2, const Metric_bounds& bounds = Metric_bounds())
+    : m_p(p), m_bounds(internal::checked_bounds(bounds))
   {
     if (!(p >= 1))
       internal::throw_invalid_argument("p of Curvature_metric", p, "from 1 to infinity");
   }
 
   double p() const { return m_p; }
+  const Metric_bounds& bounds() const { return m_bounds; }
 
   /// the same for a mesh in another unit of length: the curvature at its vertices is in that unit anyway
   Curvature_metric in_unit(double) const { return *this; }
 
   /// the number by which lengths in the metric are divided in another unit of length
   double unit_of_lengths(const double unit) const { return std::pow(unit, 0.5 - exponent()); }
+
+  /// the metric in the frame of the tangent plane; only the shape operator counts
+  Eigen::Matrix2d operator()(const Eigen::Vector3d&, const Eigen::Matrix<double, 3, 2>&,
+                             const Eigen::Matrix2d& shape_operator) const
+  {
+    return of_shape_operator(shape_operator);
+  }
 
   /// \f$ M_p \f$ in the frame of the shape operator. The unit of the shape operator is the inverse of a unit of length in which
   /// the surface has about the size 1.
@@ -193,6 +137,7 @@ private:
   double exponent() const { return std::isinf(m_p) ? 0. : -1 / (2 * m_p + 2); }
 
   double m_p;
+  Metric_bounds m_bounds;
 };
 
 /*!
@@ -203,22 +148,31 @@ curvature \f$ K \f$. This is the metric \f$ I + \sigma(x)^2 S^2 \f$. Everywhere,
 best for the distance to the surface, \f$ \sqrt{k_1 / k_2} \f$. The sizes of faces hardly differ. The embedding has no
 parameter and needs no scale. It is regularised and bounded as `Curvature_metric`.
 
-\cgalModels `RemeshingEmbedding`
+\cgalModels `RemeshingMetric`
 */
-class Adaptive_normal_embedding : public internal::Metric_embedding<Adaptive_normal_embedding>
+class Adaptive_normal_embedding
 {
-  typedef internal::Metric_embedding<Adaptive_normal_embedding> Base;
-
 public:
   /// \param bounds see `Metric_bounds`
   /// \throw std::invalid_argument if the bounds are out of their ranges
-  explicit Adaptive_normal_embedding(const Metric_bounds& bounds = Metric_bounds()) : Base(bounds) {}
+  explicit Adaptive_normal_embedding(const Metric_bounds& bounds = Metric_bounds()) : m_bounds(internal::checked_bounds(bounds))
+  {
+  }
+
+  const Metric_bounds& bounds() const { return m_bounds; }
 
   /// the same for a mesh in another unit of length: the curvature at its vertices is in that unit anyway
   Adaptive_normal_embedding in_unit(double) const { return *this; }
 
   /// the number by which lengths in the metric are divided in another unit of length: the unit itself
   double unit_of_lengths(const double unit) const { return unit; }
+
+  /// the metric in the frame of the tangent plane; only the shape operator counts
+  Eigen::Matrix2d operator()(const Eigen::Vector3d&, const Eigen::Matrix<double, 3, 2>&,
+                             const Eigen::Matrix2d& shape_operator) const
+  {
+    return of_shape_operator(shape_operator);
+  }
 
   /// \f$ I + \sigma^2 S^2 \f$ in the frame of the shape operator. The unit of the shape operator is the inverse of a unit of
   /// length in which the surface has about the size 1.
@@ -231,6 +185,9 @@ public:
            0.5 * (square + square.transpose()) /
                (gauss_curvature + smallest_ratio * square.trace() + smallest_curvature * smallest_curvature);
   }
+
+private:
+  Metric_bounds m_bounds;
 };
 
 } // namespace Anisotropic_hde_remeshing

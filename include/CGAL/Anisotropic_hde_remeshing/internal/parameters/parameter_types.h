@@ -17,6 +17,8 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/named_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/type_traits.h>
 
+#include <Eigen/Core>
+
 #include <boost/graph/graph_traits.hpp>
 
 #include <type_traits>
@@ -66,6 +68,20 @@ template <typename T, typename Subject>
 struct Is_embedding<T, Subject,
                     std::void_t<typename T::Vertex_data, decltype(std::declval<const T&>().in_unit(1.)),
                                 decltype(std::declval<const T&>().unit_of_lengths(1.))>> : std::true_type
+{
+};
+
+// The remesher makes an embedding of a metric.
+template <typename T, typename = void>
+constexpr bool is_metric_given = false;
+template <typename T>
+constexpr bool is_metric_given<
+    T, std::void_t<decltype(std::declval<const T&>()(Eigen::Vector3d(), Eigen::Matrix<double, 3, 2>(), Eigen::Matrix2d())),
+                   decltype(std::declval<const T&>().bounds()), decltype(std::declval<const T&>().in_unit(1.)),
+                   decltype(std::declval<const T&>().unit_of_lengths(1.))>> = true;
+
+template <typename T, typename Subject>
+struct Is_embedding_or_metric : std::bool_constant<Is_embedding<T, Subject>::value || is_metric_given<T>>
 {
 };
 
@@ -174,7 +190,7 @@ struct Is_location_map : std::bool_constant<is_writable_map<T, Vertex_of<Graph>,
 // clang-format off
 CGAL_AHR_NAMED_PARAMETER(sigma, sigma_t, Is_number, "sigma takes a number")
 CGAL_AHR_NAMED_PARAMETER(relative_sigma, relative_sigma_t, Is_number, "relative_sigma takes a number")
-CGAL_AHR_NAMED_PARAMETER(embedding, embedding_t, Is_embedding, "embedding takes a model of RemeshingEmbedding, such as Curvature_metric(2)")
+CGAL_AHR_NAMED_PARAMETER(embedding, embedding_t, Is_embedding_or_metric, "embedding takes a model of RemeshingEmbedding or RemeshingMetric, such as Curvature_metric(2)")
 CGAL_AHR_NAMED_PARAMETER(target_edge_length, target_edge_length_t, Is_number, "target_edge_length takes a number")
 CGAL_AHR_NAMED_PARAMETER(relative_target_edge_length, relative_target_edge_length_t, Is_number, "relative_target_edge_length takes a number")
 CGAL_AHR_NAMED_PARAMETER(number_of_target_faces, number_of_target_faces_t, Is_count, "number_of_target_faces takes an integer")

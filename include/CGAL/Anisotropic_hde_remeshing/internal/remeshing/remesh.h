@@ -27,6 +27,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/projection/Surface_function.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/projection/Surface_projection.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/remeshing_parameters.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/targets/Metric_embedding.h>
 
 #include <CGAL/Real_timer.h>
 #include <CGAL/tags.h>
@@ -107,11 +108,12 @@ Remeshing_report remesh(Working_mesh<typename Embedding::Vertex_data>& mesh, con
                                                      const Surface_function&, const Input_surface&, Intersections&,            \
                                                      const Remeshing_parameters&, Visitor_reference)
 typedef Mesh_intersections<Working_mesh<Normal_embedding::Vertex_data>> Intersections_with_normals;
+typedef Metric_embedding<Curvature_metric> Curvature_embedding;
 extern CGAL_AHR_REMESH(Sequential_tag, Normal_embedding, No_intersections);
-extern CGAL_AHR_REMESH(Sequential_tag, Curvature_metric, No_intersections);
+extern CGAL_AHR_REMESH(Sequential_tag, Curvature_embedding, No_intersections);
 #  ifdef CGAL_LINKED_WITH_TBB
 extern CGAL_AHR_REMESH(Parallel_tag, Normal_embedding, No_intersections);
-extern CGAL_AHR_REMESH(Parallel_tag, Curvature_metric, No_intersections);
+extern CGAL_AHR_REMESH(Parallel_tag, Curvature_embedding, No_intersections);
 #  endif
 extern CGAL_AHR_REMESH(Parallel_if_available_tag, Normal_embedding, Intersections_with_normals);
 #endif

@@ -16,7 +16,9 @@
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_scheme.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/check_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/named_parameters.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/parameter_types.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/size_limits.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/targets/Metric_embedding.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/targets/Target_length.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -86,7 +88,7 @@ template <typename NamedParameters>
 constexpr bool is_error_given = is_given<NamedParameters, internal_np::approximation_error_t> ||
                                 is_given<NamedParameters, internal_np::relative_approximation_error_t>;
 
-// The embedding that is given. Without one it is the paper's, with sigma in the unit of the mesh or as a share of the diagonal
+// The embedding that is given, or that of the metric that is given. Without one it is the paper's, with sigma in the unit of the mesh or as a share of the diagonal
 // of its bounding box. If only an error is given, it is the metric of the largest distance.
 template <typename NamedParameters>
 auto embedding_parameter(const NamedParameters& np, const double diagonal)
@@ -98,14 +100,20 @@ auto embedding_parameter(const NamedParameters& np, const double diagonal)
                 "embedding, sigma and relative_sigma exclude each other");
   using parameters::get_parameter;
   if constexpr (has_embedding)
-    return std::decay_t<decltype(get_parameter(np, internal_np::embedding))>(get_parameter(np, internal_np::embedding));
+  {
+    typedef Given_type<NamedParameters, internal_np::embedding_t> Given;
+    if constexpr (is_metric_given<Given>)
+      return Metric_embedding<Given>(get_parameter(np, internal_np::embedding));
+    else
+      return Given(get_parameter(np, internal_np::embedding));
+  }
   else if constexpr (has_sigma)
     return Normal_embedding(CGAL::to_double(get_parameter(np, internal_np::sigma)));
   else if constexpr (has_relative_sigma)
     return Normal_embedding(
         diagonal * checked_not_negative("relative_sigma", CGAL::to_double(get_parameter(np, internal_np::relative_sigma))));
   else if constexpr (is_error_given<NamedParameters>)
-    return Curvature_metric(std::numeric_limits<double>::infinity());
+    return Metric_embedding<Curvature_metric>(Curvature_metric(std::numeric_limits<double>::infinity()));
   else
     return Normal_embedding(0.01 * diagonal);
 }

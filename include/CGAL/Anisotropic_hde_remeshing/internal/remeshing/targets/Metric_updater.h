@@ -16,7 +16,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/parallel.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/Shape_operator_estimate.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/Working_mesh.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/targets/Metric_tensor.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/targets/Metric_embedding.h>
 
 #include <Eigen/Core>
 
@@ -31,14 +31,10 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// whether the embedding is a metric that follows from the curvature; the vertices keep such a metric
-template <typename Embedding>
-constexpr bool is_metric = std::is_base_of<Metric_tensor, typename Embedding::Vertex_data>::value;
-
-// Gives every vertex the metric of the curvature around it. On a crease every side of the vertex gets one. Bounds the edge
+// Gives every vertex its metric, by the curvature around it. On a crease every side of the vertex gets one. Bounds the edge
 // lengths that follow from the metric. Limits how fast the metric changes: Alauzet, Size gradation control of anisotropic
 // meshes, Finite Elements in Analysis and Design 46, 2010. What a vertex gets does not depend on the order of the vertices.
-template <typename ConcurrencyTag, typename Mesh, typename Metric>
+template <typename ConcurrencyTag, typename Mesh, typename Embedding>
 class Metric_updater
 {
   // A bound only. A sweep carries a metric one edge further. Few sweeps are needed, because a metric loses a constant factor on
@@ -49,12 +45,12 @@ class Metric_updater
 public:
   // `diagonal` is that of the mesh, `length` the target in the metric. As long as `length` is 0, there are neither bounds nor a
   // limit.
-  Metric_updater(Mesh& mesh, const Metric& metric, const double diagonal, const double length, Interruption& interruption)
+  Metric_updater(Mesh& mesh, const Embedding& embedding, const double diagonal, const double length, Interruption& interruption)
     : m_mesh(mesh),
-      m_metric(metric),
+      m_embedding(embedding),
       m_length(length),
-      m_least(square(length / (metric.longest_edge() * diagonal))),
-      m_largest(square(length / (metric.shortest_edge() * diagonal))),
+      m_least(square(length / (embedding.bounds().longest_edge * diagonal))),
+      m_largest(square(length / (embedding.bounds().shortest_edge * diagonal))),
       m_interruption(interruption)
   {
   }
@@ -116,11 +112,12 @@ private:
   Eigen::Matrix2d metric_of_curvature(const Halfedge_index in) const
   {
     const Eigen::Matrix2d shape_operator = shape_operator_at(in, m_mesh);
-    Eigen::Matrix2d metric = m_metric.of_shape_operator(shape_operator);
+    const auto& vertex = m_mesh.state(m_mesh.target(in), in);
+    Eigen::Matrix2d metric = m_embedding.metric()(vertex.point, tangent_frame(vertex.normal), shape_operator);
     if (!(m_length > 0))
       return metric;
     // along t the normal turns by |S t|
-    const Eigen::Matrix2d of_turn = square(m_length / m_metric.turn()) * shape_operator * shape_operator;
+    const Eigen::Matrix2d of_turn = square(m_length / m_embedding.bounds().turn) * shape_operator * shape_operator;
     return bounded_metric(metric_intersection(metric, of_turn), m_least, m_largest);
   }
 
@@ -160,7 +157,7 @@ private:
       const Tangent_frame other = tangent_frame(from.normal);
       const Eigen::Vector2d edge = other.transpose() * (to.point - from.point);
       const double length = std::sqrt((std::max)(edge.dot(m_metrics[u] * edge), 0.)) / m_length;
-      const double growth = 1 + length * std::log(m_metric.gradation());
+      const double growth = 1 + length * std::log(m_embedding.bounds().gradation);
       // from plane to plane, by the rotation that takes one normal to the other
       const Eigen::Matrix2d turn = frame.transpose() * rotation(from.normal, to.normal) * other;
       metric = metric_intersection(metric, turn * (m_metrics[u] / square(growth)) * turn.transpose());
@@ -201,7 +198,7 @@ private:
   }
 
   Mesh& m_mesh;
-  const Metric& m_metric;
+  const Embedding& m_embedding;
   const double m_length;
   const double m_least, m_largest; // eigenvalues
   Interruption& m_interruption;
