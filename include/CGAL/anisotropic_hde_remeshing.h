@@ -11,151 +11,18 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
-#include <CGAL/Anisotropic_hde_remeshing/Input_location.h>
 #include <CGAL/Anisotropic_hde_remeshing/Normal_embedding.h>
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_result.h>
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_scheme.h>
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_visitor.h>
-#include <CGAL/Anisotropic_hde_remeshing/Surface_regions.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/named_parameters.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/parameter_types.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/type_traits.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/remesh_faces.h>
-#include <CGAL/Piecewise_rbf_implicit_function.h>
-#include <CGAL/Rbf_implicit_function.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/remesh_on_surface.h>
 
-#include <CGAL/Real_timer.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/boost/graph/properties.h>
 #include <CGAL/tags.h>
-
-#include <boost/graph/graph_traits.hpp>
 
 #include <type_traits>
 
 namespace CGAL {
-
-namespace Anisotropic_hde_remeshing {
-namespace internal {
-
-// whether the first argument is a range of faces: this tells the functions below apart
-template <typename T>
-constexpr bool is_face_range = Is_range<T>::value;
-
-// all faces of a mesh
-struct Whole_mesh
-{
-  template <typename TriangleMesh>
-  auto operator()(const TriangleMesh& tmesh) const
-  {
-    return faces(tmesh);
-  }
-  static constexpr bool is_whole = true;
-};
-
-// some faces of a mesh
-template <typename FaceRange>
-struct Part_of_mesh
-{
-  const FaceRange& range;
-
-  template <typename TriangleMesh>
-  const FaceRange& operator()(const TriangleMesh&) const
-  {
-    return range;
-  }
-  static constexpr bool is_whole = false;
-};
-
-template <typename TriangleMesh>
-constexpr bool accepts_faces_of(const Whole_mesh*)
-{
-  return true;
-}
-template <typename TriangleMesh, typename FaceRange>
-constexpr bool accepts_faces_of(const Part_of_mesh<FaceRange>*)
-{
-  return accepts_faces<TriangleMesh, FaceRange>();
-}
-
-// remeshes on the zero set of the caller's function
-template <typename ConcurrencyTag, typename Faces, typename TriangleMesh, typename Function, typename NamedParameters>
-Remeshing_result remesh_on_surface(const Faces& faces, TriangleMesh& tmesh, const Function& function, const NamedParameters& np)
-{
-  if constexpr (accepts_mesh_to_write<TriangleMesh>())
-    if constexpr (accepts_faces_of<TriangleMesh>(static_cast<const Faces*>(nullptr)))
-      if constexpr (accepts_function<Function>())
-        if constexpr (accepts_parameters<Parameters_of_remeshing, TriangleMesh, NamedParameters>())
-        {
-          static_assert(
-              !is_given<NamedParameters, internal_np::sharp_angle_t>,
-              "sharp_angle is for the function that is built here; a piecewise function comes with its face_patch_map");
-          return remesh_faces<ConcurrencyTag>(faces(tmesh), tmesh, function, Faces::is_whole, np,
-                                              crease_maps<Function, TriangleMesh>(np));
-        }
-  return Remeshing_result();
-}
-
-// Remeshes on the surface through the vertices of the whole mesh, whichever faces are remeshed. The surface is smooth, or
-// smooth between creases. The function computes in double even if the points of the mesh are exact.
-template <typename ConcurrencyTag, typename FaceRange, typename TriangleMesh, typename NamedParameters>
-Remeshing_result remesh_faces_on_built_surface(const FaceRange& faces, TriangleMesh& tmesh, const bool is_whole_mesh,
-                                               const NamedParameters& np)
-{
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  typedef std::decay_t<decltype(choose_parameter(get_parameter(np, internal_np::radial_function), Polyharmonic_rbf()))>
-      Radial_function;
-
-  typedef Simple_cartesian<double> Kernel;
-
-  check_parameters(np);
-  auto visitor = choose_parameter(get_parameter(np, internal_np::visitor), Remeshing_visitor());
-  visitor.stage_started(Stage::IMPLICIT_FUNCTION);
-  Real_timer timer;
-  timer.start();
-  Remeshing_result result;
-  try
-  {
-    double seconds;
-    if constexpr (is_given<NamedParameters, internal_np::sharp_angle_t>)
-    {
-      const auto edge_is_crease = get(dynamic_edge_property_t<bool>(), tmesh);
-      const auto face_region = get(dynamic_face_property_t<std::size_t>(), tmesh);
-      detect_surface_regions(tmesh, edge_is_crease, face_region, np);
-      const Piecewise_rbf_implicit_function<Kernel, Radial_function, ConcurrencyTag> function(tmesh, face_region, np);
-      seconds = timer.time();
-      typedef Crease_maps<std::decay_t<decltype(edge_is_crease)>, std::decay_t<decltype(face_region)>> Creases;
-      result = remesh_faces<ConcurrencyTag>(faces, tmesh, function, is_whole_mesh, np, Creases{edge_is_crease, face_region});
-    }
-    else
-    {
-      const Rbf_implicit_function<Kernel, Radial_function, ConcurrencyTag> function(tmesh, np);
-      seconds = timer.time();
-      result = remesh_faces<ConcurrencyTag>(faces, tmesh, function, is_whole_mesh, np,
-                                            crease_maps<decltype(function), TriangleMesh>(np));
-    }
-    result.implicit_function_seconds = seconds;
-  }
-  catch (const Interrupted&)
-  {
-    result.was_stopped = true;
-  }
-  return result;
-}
-
-template <typename ConcurrencyTag, typename Faces, typename TriangleMesh, typename NamedParameters>
-Remeshing_result remesh_on_built_surface(const Faces& faces, TriangleMesh& tmesh, const NamedParameters& np)
-{
-  if constexpr (accepts_mesh_to_write<TriangleMesh>())
-    if constexpr (accepts_faces_of<TriangleMesh>(static_cast<const Faces*>(nullptr)))
-      if constexpr (accepts_parameters<Parameters_of_remeshing_without_function, TriangleMesh, NamedParameters>())
-        return remesh_faces_on_built_surface<ConcurrencyTag>(faces(tmesh), tmesh, Faces::is_whole, np);
-  return Remeshing_result();
-}
-
-} // namespace internal
-} // namespace Anisotropic_hde_remeshing
 
 /*!
 \ingroup PkgAnisotropicHdeRemeshingRef
@@ -449,6 +316,18 @@ Anisotropic_hde_remeshing::Remeshing_result anisotropic_hde_remeshing(const Face
 {
   namespace internal = Anisotropic_hde_remeshing::internal;
   return internal::remesh_on_built_surface<ConcurrencyTag>(internal::Part_of_mesh<FaceRange>{faces}, tmesh, np);
+}
+
+/*!
+\ingroup PkgAnisotropicHdeRemeshingRef
+
+the same with all parameters at their defaults: as many faces as the range has.
+*/
+template <typename ConcurrencyTag = Sequential_tag, typename FaceRange, typename TriangleMesh,
+          typename = std::enable_if_t<Anisotropic_hde_remeshing::internal::is_face_range<FaceRange>>>
+Anisotropic_hde_remeshing::Remeshing_result anisotropic_hde_remeshing(const FaceRange& faces, TriangleMesh& tmesh)
+{
+  return anisotropic_hde_remeshing<ConcurrencyTag>(faces, tmesh, parameters::default_values());
 }
 
 } // namespace CGAL

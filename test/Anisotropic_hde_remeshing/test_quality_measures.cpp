@@ -395,8 +395,30 @@ void test_invalid_parameters()
                  "number_of_points_on_faces is 0"));
 }
 
+void test_invalid_meshes()
+{
+  Mesh quadrangle;
+  const Mesh::Vertex_index a = quadrangle.add_vertex(Point_3(0, 0, 0)), b = quadrangle.add_vertex(Point_3(1, 0, 0)),
+                           c = quadrangle.add_vertex(Point_3(1, 1, 0)), d = quadrangle.add_vertex(Point_3(0, 1, 0));
+  quadrangle.add_face(a, b, c, d);
+  Mesh not_finite = icosphere(1);
+  not_finite.point(Mesh::Vertex_index(7)) = Point_3(0, std::nan(""), 0);
+  const auto check = [](const Mesh& mesh, const char* message)
+  {
+    CHECK(contains(message_of([&] { Hde::measure_topology(mesh); }), message));
+    CHECK(contains(message_of([&] { Hde::measure_shape(mesh); }), message));
+    CHECK(contains(message_of([&] { Hde::measure_embedding(mesh, Sphere_function{1}); }), message));
+    CHECK(contains(message_of([&] { Hde::measure_distance_to_zero_set(mesh, Sphere_function{1}); }), message));
+    CHECK(contains(message_of([&] { Hde::measure_distance(mesh, icosphere(1)); }), message));
+    CHECK(contains(message_of([&] { Hde::measure_distance(icosphere(1), mesh); }), message));
+  };
+  check(quadrangle, "face 0 is not a triangle");
+  check(not_finite, "the point of vertex 7 is");
+}
+
 int main()
 {
+  test_invalid_meshes();
   test_aspect_ratio();
   test_shape();
   test_topology();

@@ -77,6 +77,7 @@ struct Is_taken_for_faces<
     FaceRange,
     std::void_t<decltype(CGAL::anisotropic_hde_remeshing(std::declval<FaceRange&>(), std::declval<Mesh&>(),
                                                          std::declval<const Function&>())),
+                decltype(CGAL::anisotropic_hde_remeshing(std::declval<const FaceRange&>(), std::declval<Mesh&>())),
                 decltype(CGAL::anisotropic_hde_remeshing(std::declval<const FaceRange&>(), std::declval<Mesh&>(),
                                                          CGAL::parameters::sigma(1))),
                 decltype(CGAL::anisotropic_hde_remeshing(std::declval<FaceRange&>(), std::declval<Mesh&>(),

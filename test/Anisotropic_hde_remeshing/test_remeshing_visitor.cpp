@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <stdexcept>
@@ -78,6 +79,28 @@ void test_visitor()
   Mesh without = input;
   CGAL::anisotropic_hde_remeshing<Tag>(without, CGAL::parameters::default_values());
   CHECK(digest(mesh) == digest(without));
+}
+
+// std::ref() passes a visitor that cannot be copied
+void test_visitor_by_reference()
+{
+  struct Counting_visitor : Hde::Remeshing_visitor
+  {
+    std::size_t stages = 0, questions = 0;
+    Counting_visitor() = default;
+    Counting_visitor(const Counting_visitor&) = delete;
+    void stage_started(Hde::Stage) { ++stages; }
+    bool go_further()
+    {
+      ++questions;
+      return true;
+    }
+  };
+  Counting_visitor visitor;
+  Mesh mesh = ellipsoid(2);
+  CGAL::anisotropic_hde_remeshing<Tag>(mesh, CGAL::parameters::visitor(std::ref(visitor)).number_of_iterations(1));
+  CHECK(visitor.stages == 4);
+  CHECK(visitor.questions >= 10);
 }
 
 void test_stopping()
@@ -258,6 +281,7 @@ void test_interrupted_function()
 int main()
 {
   test_visitor();
+  test_visitor_by_reference();
   test_stopping();
   test_throwing_visitor();
   test_interrupted_function();

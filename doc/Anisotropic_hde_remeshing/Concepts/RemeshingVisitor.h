@@ -12,10 +12,10 @@
 
 The concept `RemeshingVisitor` describes an object that `CGAL::anisotropic_hde_remeshing()` and the constructor of
 `CGAL::Rbf_implicit_function` call while they run. They tell it how far they are and ask it whether to go on. All calls come
-from the calling thread. A visitor is copied; copies must share what they remember. If a member throws, the mesh of the caller
-stays as it was, and the exception reaches the caller.
+from the calling thread. If a member throws, the mesh of the caller stays as it was, and the exception reaches the caller.
 
-\cgalRefines{CopyConstructible}
+As all named parameters, a visitor is copied, and copies must share what they remember. `visitor(std::ref(v))` passes the visitor
+itself, which need not be copyable.
 
 \cgalHasModel `CGAL::Anisotropic_hde_remeshing::Remeshing_visitor`, which does nothing; derive from it and hide the members that
 are needed

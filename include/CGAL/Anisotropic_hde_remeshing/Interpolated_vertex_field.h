@@ -45,8 +45,8 @@ public:
   /// \param tmesh the mesh
   /// \param values the values at its vertices
   /// \param np optional named parameters: `vertex_point_map` and `geom_traits`
-  /// \pre `is_triangle_mesh(tmesh)`
-  /// \throw std::invalid_argument if the mesh has no face that is not degenerate
+  /// \throw std::invalid_argument if the mesh has no face that is not degenerate, a face that is not a triangle, or coordinates
+  ///        that are not finite
   template <typename TriangleMesh, typename VertexValueMap, typename NamedParameters = parameters::Default_named_parameters>
   Interpolated_vertex_field(const TriangleMesh& tmesh, const VertexValueMap& values,
                             const NamedParameters& np = parameters::default_values())

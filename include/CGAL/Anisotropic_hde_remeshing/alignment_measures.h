@@ -72,7 +72,7 @@ Without alignment the mean is 45.
 \param np optional named parameters: `vertex_point_map` and `geom_traits`
 \param smallest_ratio see above
 
-\pre `is_triangle_mesh(tmesh)`
+\throw std::invalid_argument if a face of `tmesh` is not a triangle, or a coordinate is not finite
 */
 template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename Function,
           typename NamedParameters = parameters::Default_named_parameters>

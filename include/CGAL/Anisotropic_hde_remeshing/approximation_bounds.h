@@ -72,7 +72,7 @@ Each face counts with the curvature at its centroid.
 \param f the implicit function
 \param np optional named parameters: `vertex_point_map` and `geom_traits`
 
-\pre `is_triangle_mesh(tmesh)`
+\throw std::invalid_argument if a face of `tmesh` is not a triangle, or a coordinate is not finite
 */
 template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename Function,
           typename NamedParameters = parameters::Default_named_parameters>

@@ -100,8 +100,9 @@ the same result.
 (the number of points sampled on the faces of each of the two meshes, by default 200,000)
 \param np2 optional named parameters for `tmesh2`: `vertex_point_map` and `geom_traits`
 
-\throw std::invalid_argument if `number_of_points_on_faces` is less than 1
-\pre both are triangle meshes and have a face
+\throw std::invalid_argument if `number_of_points_on_faces` is less than 1, a face is not a triangle, or a coordinate is not
+       finite
+\pre both have a face
 */
 template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh1, typename TriangleMesh2,
           typename NamedParameters1 = parameters::Default_named_parameters,

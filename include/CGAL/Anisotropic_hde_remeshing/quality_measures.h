@@ -185,7 +185,7 @@ double aspect_ratio(const Point_3& p, const Point_3& q, const Point_3& r)
 \param tmesh a triangle mesh
 \param np optional named parameters: `vertex_point_map` and `geom_traits`
 
-\pre `is_triangle_mesh(tmesh)`
+\throw std::invalid_argument if a face of `tmesh` is not a triangle, or a coordinate is not finite
 */
 template <typename TriangleMesh, typename NamedParameters = parameters::Default_named_parameters>
 Topology_measures measure_topology(const TriangleMesh& tmesh, const NamedParameters& np = parameters::default_values())
@@ -230,7 +230,7 @@ Topology_measures measure_topology(const TriangleMesh& tmesh, const NamedParamet
 \param tmesh a triangle mesh
 \param np optional named parameters: `vertex_point_map` and `geom_traits`
 
-\pre `is_triangle_mesh(tmesh)`
+\throw std::invalid_argument if a face of `tmesh` is not a triangle, or a coordinate is not finite
 */
 template <typename TriangleMesh, typename NamedParameters = parameters::Default_named_parameters>
 Shape_measures measure_shape(const TriangleMesh& tmesh, const NamedParameters& np = parameters::default_values())
@@ -285,7 +285,7 @@ of the mesh; by default 0.01 of the diagonal of its bounding box) and `target_ed
 shares of edges refer to; by default, and if it is 0, the geometric mean of the 6D lengths)
 
 \throw std::invalid_argument if `sigma` or `target_edge_length` is negative or not finite
-\pre `is_triangle_mesh(tmesh)`
+\throw std::invalid_argument if a face of `tmesh` is not a triangle, or a coordinate is not finite
 */
 template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename Function,
           typename NamedParameters = parameters::Default_named_parameters>

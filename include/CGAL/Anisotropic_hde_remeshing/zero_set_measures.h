@@ -94,7 +94,7 @@ the same result.
 points sampled on the faces, by default 200,000)
 
 \throw std::invalid_argument if `number_of_points_on_faces` is less than 1
-\pre `is_triangle_mesh(tmesh)`
+\throw std::invalid_argument if a face of `tmesh` is not a triangle, or a coordinate is not finite
 */
 template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename Function,
           typename NamedParameters = parameters::Default_named_parameters>

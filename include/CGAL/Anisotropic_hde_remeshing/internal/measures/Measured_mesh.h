@@ -15,10 +15,10 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Vector.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/geometry/aspect_ratio.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/geometry/folded_edge.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/check_mesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/named_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/parameter_types.h>
 
-#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/number_utils.h>
@@ -113,19 +113,21 @@ public:
 private:
   void read_vertices()
   {
+    std::size_t position = 0;
     for (const vertex_descriptor v : vertices(m_mesh))
     {
+      const std::size_t this_position = position++;
       if (halfedge(v, m_mesh) == boost::graph_traits<TriangleMesh>::null_halfedge())
       {
         ++m_result.number_of_isolated_vertices;
         continue;
       }
       put(m_indices, v, m_result.points.size());
-      const auto& p = get(m_point_map, v);
+      const Vector point = finite_vector(get(m_point_map, v), "point", this_position);
       const std::vector<Region> regions = regions_around(v);
       for (const Region region : regions)
       {
-        m_result.points.emplace_back(to_double(p.x()), to_double(p.y()), to_double(p.z()));
+        m_result.points.push_back(point);
         m_result.point_regions.push_back(region);
         m_result.is_on_boundary.push_back(regions.size() > 1);
       }
@@ -186,9 +188,11 @@ private:
   void read_faces(const GeomTraits& traits)
   {
     const auto collinear = traits.collinear_3_object();
+    std::size_t position = 0;
     for (const face_descriptor f : faces(m_mesh))
     {
       const halfedge_descriptor h = halfedge(f, m_mesh);
+      check_triangle(h, m_mesh, position++);
       const vertex_descriptor a = source(h, m_mesh), b = target(h, m_mesh), c = target(next(h, m_mesh), m_mesh);
       const Region r = region(f);
       m_result.faces.push_back({index(a, r), index(b, r), index(c, r)});
@@ -219,6 +223,7 @@ private:
   Measured_mesh m_result;
 };
 
+// Throws std::invalid_argument if a face is not a triangle, or a coordinate is not finite.
 template <typename TriangleMesh, typename NamedParameters, typename FaceRegionMap>
 Measured_mesh read_measured_mesh(const TriangleMesh& tmesh, const NamedParameters& np, const FaceRegionMap& face_region)
 {
@@ -227,7 +232,6 @@ Measured_mesh read_measured_mesh(const TriangleMesh& tmesh, const NamedParameter
   typedef typename GetGeomTraits<TriangleMesh, NamedParameters>::type Geom_traits;
   typedef typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type Vertex_point_map;
 
-  CGAL_precondition_msg(is_triangle_mesh(tmesh), "the measures are of a triangle mesh");
   const Geom_traits traits = choose_parameter<Geom_traits>(get_parameter(np, internal_np::geom_traits));
   const Vertex_point_map point_map =
       choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tmesh));

@@ -21,6 +21,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <functional>
 #include <type_traits>
 #include <utility>
 
@@ -94,6 +95,11 @@ struct Is_visitor<T, Subject,
                   std::void_t<decltype(std::declval<T&>().stage_started(Stage::OUTPUT)),
                               decltype(std::declval<T&>().progress(0.5)), decltype(bool(std::declval<T&>().go_further()))>>
   : std::true_type
+{
+};
+
+template <typename T, typename Subject>
+struct Is_visitor<std::reference_wrapper<T>, Subject, void> : Is_visitor<T, Subject>
 {
 };
 

@@ -20,6 +20,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/curves/Curve_network.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/Operation_guard.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/Mesh_reorderer.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/write_stage.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/operations/Local_operations.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/operations/Vertex_projector.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/remeshing_parameters.h>
@@ -80,7 +81,12 @@ public:
   {
   }
 
-  void project_input() { m_projector.project_input(m_interruption); }
+  void project_input()
+  {
+    write_stage(m_mesh, "input");
+    m_projector.project_input(m_interruption);
+    write_stage(m_mesh, "projected");
+  }
 
   // Finds the target length, and the metric where the embedding is one. Throws Too_many_faces.
   void find_target()
@@ -133,6 +139,7 @@ private:
   void finish()
   {
     project_exactly();
+    write_stage(m_mesh, "exact");
     const bool is_remeshed = m_parameters.number_of_iterations > 0;
     if (m_interruption.is_requested())
       m_error.give_up();
@@ -145,6 +152,7 @@ private:
       if (m_error.is_active())
         is_remeshed ? m_error.refine() : m_error.measure();
     }
+    write_stage(m_mesh, "finished");
     m_report.target_length = m_target.length();
     m_report.error = m_error.bound();
     m_report.binding_target = binding_target();
@@ -202,10 +210,12 @@ private:
     if (m_plan.is_first() && number_of_faces_after_splits(length) > largest_number_of_faces(number_of_faces))
       m_operations.collapse(m_parameters.collapse_ratio * length, (std::numeric_limits<double>::infinity)());
     split(length, number_of_faces);
+    write_stage(m_mesh, "split");
     report_progress(0.2);
     collapse(length);
     if (!m_plan.is_first() || m_plan.is_settling())
       approach_number_of_faces(number_of_faces, length);
+    write_stage(m_mesh, "contracted");
     report_progress(0.3);
     const Flip_criterion criterion = m_plan.is_settling() ? Flip_criterion::ANGLE : Flip_criterion::VALENCE;
     const unsigned int steps = m_parameters.number_of_relaxation_steps;
@@ -216,6 +226,7 @@ private:
       report_progress(0.3 + 0.7 * (step + 1) / (steps + 1));
     }
     flip(criterion);
+    write_stage(m_mesh, "smoothed");
   }
 
   // Algorithm 2 of the paper
@@ -232,6 +243,7 @@ private:
       smooth();
       flip(Flip_criterion::ANGLE);
     }
+    write_stage(m_mesh, "contracted");
     report_progress(0.5);
     split(length, m_target.number_of_faces());
     if (!m_plan.is_first() && !m_target.is_length_given())
@@ -239,6 +251,7 @@ private:
     flip(Flip_criterion::ANGLE);
     smooth();
     flip(Flip_criterion::ANGLE);
+    write_stage(m_mesh, "smoothed");
   }
 
   // Whether there were so few splits or contractions that another pass over all edges is not worth it. The next iteration does

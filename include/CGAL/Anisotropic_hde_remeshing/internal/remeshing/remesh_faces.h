@@ -20,6 +20,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Interruption.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/parallel.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/check_parameters.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/visitor_parameter.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Visitor_reference.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/Mesh_intersections.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/load_obstacles.h>
@@ -123,7 +124,8 @@ Remeshing_result remesh_faces(const FaceRange& faces, TriangleMesh& tmesh, const
   using parameters::get_parameter;
   check_parameters(np);
   auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_property_map(vertex_point, tmesh));
-  auto visitor = choose_parameter(get_parameter(np, internal_np::visitor), Remeshing_visitor());
+  Remeshing_visitor nobody;
+  Visitor_parameter<NamedParameters> visitor = visitor_parameter(np, nobody);
   Interruption interruption([&visitor] { return visitor.go_further(); });
   const auto constraints = mesh_constraints<TriangleMesh>(np, creases);
 

@@ -14,6 +14,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Closest_facet.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Vector.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Interruption.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/check_mesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/size_limits.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/type_traits.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/Working_mesh.h>
@@ -111,9 +112,7 @@ private:
     {
       if (get(m_is_selected, f))
       {
-        const Halfedge h = halfedge(f, m_tmesh);
-        if (next(next(next(h, m_tmesh), m_tmesh), m_tmesh) != h)
-          throw std::invalid_argument("face " + std::to_string(position) + " is not a triangle");
+        check_triangle(halfedge(f, m_tmesh), m_tmesh, position);
         m_origin.faces.push_back(f);
         m_origin.face_positions.push_back(position);
       }
