@@ -19,6 +19,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Interruption.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/named_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/parameter_types.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/visitor_parameter.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/Region_function.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/build_region_functions.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/split_regions.h>
@@ -229,7 +230,8 @@ private:
     Real_timer timer;
     timer.start();
     internal::interpolation_parameters(np); // throws if one is wrong
-    auto visitor = choose_parameter(get_parameter(np, internal_np::visitor), Anisotropic_hde_remeshing::Remeshing_visitor());
+    Anisotropic_hde_remeshing::Remeshing_visitor nobody;
+    internal::Visitor_parameter<NamedParameters> visitor = internal::visitor_parameter(np, nobody);
     internal::Interruption interruption([&visitor] { return visitor.go_further(); });
     const std::vector<internal::Region_mesh> regions = internal::split_regions(
         tmesh, choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tmesh)),

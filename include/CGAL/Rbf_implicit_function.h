@@ -22,6 +22,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/interpolation_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Interruption.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/named_parameters.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/visitor_parameter.h>
 #include <CGAL/Radial_basis_functions.h>
 
 #include <CGAL/Real_timer.h>
@@ -245,7 +246,8 @@ private:
     Real_timer timer;
     timer.start();
     internal::Interpolation_parameters interpolation = internal::interpolation_parameters(np);
-    auto visitor = choose_parameter(get_parameter(np, internal_np::visitor), Anisotropic_hde_remeshing::Remeshing_visitor());
+    Anisotropic_hde_remeshing::Remeshing_visitor nobody;
+    internal::Visitor_parameter<NamedParameters> visitor = internal::visitor_parameter(np, nobody);
     internal::Interruption interruption([&visitor] { return visitor.go_further(); });
     const RadialFunction function = choose_parameter(get_parameter(np, internal_np::radial_function), RadialFunction());
     const std::shared_ptr<const Surface_sample> sample = internal::sample_input<ConcurrencyTag>(input, np, interruption);
