@@ -27,6 +27,7 @@ typedef CGAL::Surface_mesh<Point_3> Mesh;
 typedef CGAL::Parallel_if_available_tag Tag;
 
 namespace Hde = CGAL::Anisotropic_hde_remeshing;
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
 
 // the signed distance to a torus of radii 1 and 1/4
 struct Torus
@@ -69,18 +70,16 @@ int main()
   // the largest distance
   Mesh mesh = coarse_torus(40, 12);
   const double error = 0.002;
-  const Hde::Remeshing_result result =
-      CGAL::anisotropic_hde_remeshing<Tag>(mesh, Torus(), CGAL::parameters::approximation_error(error));
+  const Hde::Remeshing_result result = CGAL::anisotropic_hde_remeshing<Tag>(mesh, Torus(), params::approximation_error(error));
   std::cout << "distance below " << error << ": " << mesh.number_of_faces() << " faces; it is at most "
             << result.approximation_error << ", and no mesh of as many faces could be nearer than about "
             << Hde::approximation_bounds(mesh, Torus()).max_on_surface << std::endl;
 
   // the mean distance of as many faces: a metric of its own, and vertices off the surface
   Mesh fitted = coarse_torus(40, 12);
-  CGAL::anisotropic_hde_remeshing<Tag>(fitted, Torus(),
-                                       CGAL::parameters::embedding(Hde::Curvature_metric(2))
-                                           .number_of_target_faces(mesh.number_of_faces())
-                                           .fit_to_surface(true));
+  CGAL::anisotropic_hde_remeshing<Tag>(
+      fitted, Torus(),
+      params::embedding(Hde::Curvature_metric(2)).number_of_target_faces(mesh.number_of_faces()).fit_to_surface(true));
   std::cout << "root mean square " << Hde::measure_distance_to_zero_set(mesh, Torus()).face_rms << ", fitted "
             << Hde::measure_distance_to_zero_set(fitted, Torus()).face_rms << std::endl;
   return result.approximation_error <= error ? 0 : 1;

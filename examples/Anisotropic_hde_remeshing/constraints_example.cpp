@@ -17,6 +17,8 @@
 #include <cmath>
 #include <iostream>
 
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
+
 typedef CGAL::Simple_cartesian<double> Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 
@@ -71,10 +73,9 @@ int main()
   auto is_fixed = mesh.add_property_map<Mesh::Vertex_index, bool>("v:is_fixed", false).first;
   is_fixed[Mesh::Vertex_index(0)] = true; // the pole
 
-  CGAL::anisotropic_hde_remeshing(mesh, Sphere(),
-                                  CGAL::parameters::number_of_target_faces(3000)
-                                      .edge_is_constrained_map(is_constrained)
-                                      .vertex_is_constrained_map(is_fixed));
+  CGAL::anisotropic_hde_remeshing(
+      mesh, Sphere(),
+      params::number_of_target_faces(3000).edge_is_constrained_map(is_constrained).vertex_is_constrained_map(is_fixed));
 
   // the map holds for the new edges
   double length = 0;

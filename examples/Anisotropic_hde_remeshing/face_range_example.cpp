@@ -20,6 +20,8 @@
 #include <iostream>
 #include <vector>
 
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
+
 typedef CGAL::Simple_cartesian<double> Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 
@@ -49,7 +51,7 @@ int main()
     (mesh.point(mesh.target(mesh.halfedge(f))).z() > 0 ? upper : lower).push_back(f);
 
   // the number is that of the faces of the range
-  CGAL::anisotropic_hde_remeshing(upper, mesh, Sphere(), CGAL::parameters::number_of_target_faces(4 * upper.size()));
+  CGAL::anisotropic_hde_remeshing(upper, mesh, Sphere(), params::number_of_target_faces(4 * upper.size()));
 
   bool is_kept = true;
   for (const Mesh::Face_index f : lower)

@@ -20,6 +20,8 @@
 #include <cmath>
 #include <iostream>
 
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
+
 typedef CGAL::Simple_cartesian<double> Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 
@@ -40,8 +42,8 @@ Mesh round_mesh()
 template <typename RadialFunction>
 void tell(const Mesh& mesh, const RadialFunction& kernel)
 {
-  const CGAL::Rbf_implicit_function<Kernel, RadialFunction, CGAL::Parallel_if_available_tag> f(
-      mesh, CGAL::parameters::radial_function(kernel));
+  const CGAL::Rbf_implicit_function<Kernel, RadialFunction, CGAL::Parallel_if_available_tag> f(mesh,
+                                                                                               params::radial_function(kernel));
   double largest = 0; // between the vertices: at the middles of the edges, on the round sphere
   for (const Mesh::Edge_index e : mesh.edges())
   {

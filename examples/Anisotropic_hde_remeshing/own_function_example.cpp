@@ -19,6 +19,8 @@
 #include <cmath>
 #include <iostream>
 
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
+
 typedef CGAL::Simple_cartesian<double> Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 
@@ -45,7 +47,7 @@ int main()
   }
 
   CGAL::anisotropic_hde_remeshing<CGAL::Parallel_if_available_tag>(mesh, Ellipsoid(),
-                                                                   CGAL::parameters::sigma(1.6).number_of_target_faces(10000));
+                                                                   params::sigma(1.6).number_of_target_faces(10000));
 
   double largest = 0;
   for (const Mesh::Vertex_index v : mesh.vertices())

@@ -22,6 +22,8 @@
 #include <cstddef>
 #include <iostream>
 
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
+
 typedef CGAL::Simple_cartesian<double> Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 typedef CGAL::Anisotropic_hde_remeshing::Curvature_metric Curvature_metric;
@@ -76,8 +78,7 @@ int main()
   for (const Mesh::Vertex_index v : mesh.vertices())
     mesh.point(v) = Kernel::Point_3(mesh.point(v).x(), 2 * mesh.point(v).y(), 3 * mesh.point(v).z());
   CGAL::anisotropic_hde_remeshing<CGAL::Parallel_if_available_tag>(
-      mesh, Ellipsoid(),
-      CGAL::parameters::embedding(Finer_near_a_point(Eigen::Vector3d(0, 0, 3))).number_of_target_faces(5000));
+      mesh, Ellipsoid(), params::embedding(Finer_near_a_point(Eigen::Vector3d(0, 0, 3))).number_of_target_faces(5000));
 
   std::size_t near_center = 0, near_opposite_point = 0;
   for (const Mesh::Vertex_index v : mesh.vertices())

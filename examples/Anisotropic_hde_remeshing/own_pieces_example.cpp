@@ -20,6 +20,8 @@
 #include <cstddef>
 #include <iostream>
 
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
+
 typedef CGAL::Simple_cartesian<double> Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 
@@ -94,7 +96,7 @@ int main()
 
   const Can can;
   CGAL::anisotropic_hde_remeshing<CGAL::Parallel_if_available_tag>(
-      mesh, can, CGAL::parameters::sigma(0.5).number_of_target_faces(4000).face_patch_map(patch));
+      mesh, can, params::sigma(0.5).number_of_target_faces(4000).face_patch_map(patch));
 
   // the map holds for the new faces; their vertices are on their piece, and on both where two pieces meet
   double largest = 0;

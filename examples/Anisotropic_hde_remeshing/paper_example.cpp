@@ -30,6 +30,7 @@
 #include <vector>
 
 namespace Hde = CGAL::Anisotropic_hde_remeshing;
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
 
 typedef CGAL::Simple_cartesian<double> Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
@@ -86,13 +87,13 @@ bool reproduce(const Run& run, const std::string& file_name)
   // K is the paper's where the mesh is as large; Ov = 3; eps is left to the default, a share of the local edge length
   const std::size_t number_of_patches =
       1 + std::size_t(double(run.number_of_patches) * double(input.number_of_faces()) / run.input.number_of_faces);
-  const Function function(input, CGAL::parameters::number_of_patches(number_of_patches).patch_overlap(3));
+  const Function function(input, params::number_of_patches(number_of_patches).patch_overlap(3));
   for (const Run::Result& paper : run.outputs)
   {
     Mesh mesh = input;
     const double share = paper.number_of_faces / run.input.number_of_faces;
     CGAL::anisotropic_hde_remeshing<Tag>(mesh, function,
-                                         CGAL::parameters::relative_sigma(run.relative_sigma)
+                                         params::relative_sigma(run.relative_sigma)
                                              .number_of_target_faces(std::size_t(share * double(input.number_of_faces())))
                                              .remeshing_scheme(Hde::Remeshing_scheme::PAPER));
     print("", mesh, input.number_of_faces(), paper, run.input.number_of_faces);

@@ -17,6 +17,8 @@
 #include <iostream>
 #include <string>
 
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
+
 typedef CGAL::Polyhedron_3<CGAL::Exact_predicates_inexact_constructions_kernel> Polyhedron;
 
 int main(int argc, char* argv[])
@@ -26,7 +28,7 @@ int main(int argc, char* argv[])
   if (!CGAL::IO::read_polygon_mesh(input, polyhedron))
     return std::cerr << "Cannot read " << input << std::endl, 1;
 
-  CGAL::anisotropic_hde_remeshing(polyhedron, CGAL::parameters::number_of_target_faces(4000).relative_sigma(0.03));
+  CGAL::anisotropic_hde_remeshing(polyhedron, params::number_of_target_faces(4000).relative_sigma(0.03));
 
   std::cout << polyhedron.size_of_facets() << " facets, written to polyhedron.off" << std::endl;
   return CGAL::IO::write_polygon_mesh("polyhedron.off", polyhedron, CGAL::parameters::stream_precision(17)) ? 0 : 1;

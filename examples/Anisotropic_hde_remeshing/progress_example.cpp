@@ -19,6 +19,7 @@
 #include <iostream>
 
 namespace Hde = CGAL::Anisotropic_hde_remeshing;
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
 
 typedef CGAL::Simple_cartesian<double> Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
@@ -51,7 +52,7 @@ int main()
   CGAL::make_icosahedron(mesh, Kernel::Point_3(0, 0, 0), 1);
 
   const Hde::Remeshing_result result = CGAL::anisotropic_hde_remeshing(
-      mesh, Sphere(), CGAL::parameters::number_of_target_faces(200000).number_of_iterations(1000).visitor(Patience()));
+      mesh, Sphere(), params::number_of_target_faces(200000).number_of_iterations(1000).visitor(Patience()));
 
   std::cout << "\n"
             << (result.was_stopped ? "stopped after " : "done after ") << result.number_of_iterations

@@ -21,6 +21,7 @@
 #include <iostream>
 
 namespace Hde = CGAL::Anisotropic_hde_remeshing;
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
 
 typedef CGAL::Simple_cartesian<double> Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
@@ -51,8 +52,7 @@ int main()
   // a copy is remeshed, and told for each new vertex where on the input it lies
   Mesh output = mesh;
   auto location = output.add_property_map<Mesh::Vertex_index, Hde::Input_location>("v:location").first;
-  CGAL::anisotropic_hde_remeshing(output, Sphere(),
-                                  CGAL::parameters::number_of_target_faces(1500).vertex_location_map(location));
+  CGAL::anisotropic_hde_remeshing(output, Sphere(), params::number_of_target_faces(1500).vertex_location_map(location));
 
   auto output_temperature = output.add_property_map<Mesh::Vertex_index, double>("v:new_temperature", 0).first;
   Hde::transfer_vertex_property(mesh, temperature, output, location, output_temperature);

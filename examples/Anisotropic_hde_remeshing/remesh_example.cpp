@@ -17,6 +17,8 @@
 #include <iostream>
 #include <string>
 
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
+
 typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
 
 int main(int argc, char* argv[])
@@ -26,7 +28,7 @@ int main(int argc, char* argv[])
   if (!CGAL::IO::read_polygon_mesh(input, mesh))
     return std::cerr << "Cannot read " << input << std::endl, 1;
 
-  const auto parameters = CGAL::parameters::number_of_target_faces(20000);
+  const auto parameters = params::number_of_target_faces(20000);
   CGAL::anisotropic_hde_remeshing<CGAL::Parallel_if_available_tag>(mesh, parameters);
 
   std::cout << mesh.number_of_faces() << " faces, written to remeshed.off" << std::endl;

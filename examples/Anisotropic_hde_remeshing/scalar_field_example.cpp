@@ -20,6 +20,8 @@
 #include <cstddef>
 #include <iostream>
 
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
+
 typedef CGAL::Simple_cartesian<double> Kernel;
 typedef Kernel::Point_3 Point_3;
 typedef CGAL::Surface_mesh<Point_3> Mesh;
@@ -45,8 +47,8 @@ int main()
   // the edges of the mesh will be as long as the front is steep: tau = 0.5, a length over the unit of the field
   const auto embedding =
       CGAL::Anisotropic_hde_remeshing::scalar_field_embedding<Point_3>(0, 0.5, [](const Point_3& p) { return front(p); });
-  CGAL::anisotropic_hde_remeshing<CGAL::Parallel_if_available_tag>(
-      mesh, Sphere(), CGAL::parameters::embedding(embedding).number_of_target_faces(3000));
+  CGAL::anisotropic_hde_remeshing<CGAL::Parallel_if_available_tag>(mesh, Sphere(),
+                                                                   params::embedding(embedding).number_of_target_faces(3000));
 
   std::size_t in_front = 0;
   for (const Mesh::Vertex_index v : mesh.vertices())

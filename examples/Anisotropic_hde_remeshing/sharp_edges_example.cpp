@@ -17,6 +17,8 @@
 #include <iostream>
 #include <string>
 
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
+
 typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
 
 int main(int argc, char* argv[])
@@ -27,7 +29,7 @@ int main(int argc, char* argv[])
     return std::cerr << "Cannot read " << input << std::endl, 1;
 
   // edges are sharp where the normals of their faces differ by 40 degrees or more
-  const auto parameters = CGAL::parameters::sharp_angle(40).number_of_target_faces(8000);
+  const auto parameters = params::sharp_angle(40).number_of_target_faces(8000);
   const auto result = CGAL::anisotropic_hde_remeshing<CGAL::Parallel_if_available_tag>(mesh, parameters);
 
   std::cout << result.number_of_regions << " smooth regions, " << result.curves_after.number_of_curves << " curves between "

@@ -19,6 +19,8 @@
 #include <iostream>
 #include <string>
 
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
+
 typedef CGAL::Simple_cartesian<double> Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 
@@ -37,7 +39,7 @@ int main(int argc, char* argv[])
     Mesh mesh = input;
     const auto number_of_faces = std::size_t(share * double(input.number_of_faces()));
     CGAL::anisotropic_hde_remeshing<CGAL::Parallel_if_available_tag>(
-        mesh, function, CGAL::parameters::number_of_target_faces(number_of_faces).relative_sigma(0.02));
+        mesh, function, params::number_of_target_faces(number_of_faces).relative_sigma(0.02));
 
     const std::string output = "remeshed_" + std::to_string(mesh.number_of_faces()) + ".off";
     std::cout << input.number_of_faces() << " to " << mesh.number_of_faces() << " faces, largest aspect ratio "

@@ -17,12 +17,12 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Vector.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/interpolation_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Interruption.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/named_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/parameter_types.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/visitor_parameter.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/Region_function.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/build_region_functions.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/split_regions.h>
+#include <CGAL/Anisotropic_hde_remeshing/parameters.h>
 #include <CGAL/Radial_basis_functions.h>
 #include <CGAL/Rbf_implicit_function.h>
 

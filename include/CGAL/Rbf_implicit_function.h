@@ -21,8 +21,8 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/input_of_function.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/interpolation_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Interruption.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/named_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/visitor_parameter.h>
+#include <CGAL/Anisotropic_hde_remeshing/parameters.h>
 #include <CGAL/Radial_basis_functions.h>
 
 #include <CGAL/Real_timer.h>
@@ -249,7 +249,8 @@ private:
     Anisotropic_hde_remeshing::Remeshing_visitor nobody;
     internal::Visitor_parameter<NamedParameters> visitor = internal::visitor_parameter(np, nobody);
     internal::Interruption interruption([&visitor] { return visitor.go_further(); });
-    const RadialFunction function = choose_parameter(get_parameter(np, internal_np::radial_function), RadialFunction());
+    const RadialFunction function =
+        choose_parameter(get_parameter(np, Anisotropic_hde_remeshing::internal_np::radial_function), RadialFunction());
     const std::shared_ptr<const Surface_sample> sample = internal::sample_input<ConcurrencyTag>(input, np, interruption);
     m_normalization = sample->normalization;
     m_squared_radius = squared_radius(*sample);

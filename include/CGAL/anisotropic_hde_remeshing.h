@@ -15,8 +15,8 @@
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_result.h>
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_scheme.h>
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_visitor.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/named_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/remesh_on_surface.h>
+#include <CGAL/Anisotropic_hde_remeshing/parameters.h>
 
 #include <CGAL/tags.h>
 
@@ -230,7 +230,8 @@ vertices are dropped.
 */
 template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename Function,
           typename NamedParameters = parameters::Default_named_parameters,
-          typename = std::enable_if_t<!Anisotropic_hde_remeshing::internal::is_face_range<TriangleMesh>>>
+          typename = std::enable_if_t<!Anisotropic_hde_remeshing::internal::is_face_range<TriangleMesh> &&
+                                      !Anisotropic_hde_remeshing::internal::is_named_parameters<Function>>>
 Anisotropic_hde_remeshing::Remeshing_result anisotropic_hde_remeshing(TriangleMesh& tmesh, const Function& function,
                                                                       const NamedParameters& np = parameters::default_values())
 {
@@ -294,7 +295,8 @@ remeshes some faces of a mesh only. All else is untouched and keeps its descript
 */
 template <typename ConcurrencyTag = Sequential_tag, typename FaceRange, typename TriangleMesh, typename Function,
           typename NamedParameters = parameters::Default_named_parameters,
-          typename = std::enable_if_t<Anisotropic_hde_remeshing::internal::is_face_range<FaceRange>>>
+          typename = std::enable_if_t<Anisotropic_hde_remeshing::internal::is_face_range<FaceRange> &&
+                                      !Anisotropic_hde_remeshing::internal::is_named_parameters<Function>>>
 Anisotropic_hde_remeshing::Remeshing_result anisotropic_hde_remeshing(const FaceRange& faces, TriangleMesh& tmesh,
                                                                       const Function& function,
                                                                       const NamedParameters& np = parameters::default_values())

@@ -37,6 +37,7 @@ namespace crease_checks {
 using namespace shapes;
 
 namespace Hde = CGAL::Anisotropic_hde_remeshing;
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
 
 typedef CGAL::Parallel_if_available_tag Tag;
 // that of the one call, which is thus compiled but once
@@ -62,8 +63,7 @@ struct Remeshing
 inline Function detect(Mesh& mesh, const double angle)
 {
   const Creases creases = creases_of(mesh);
-  Hde::detect_surface_regions(mesh, creases, regions_of(mesh),
-                              CGAL::parameters::sharp_angle(angle).edge_is_constrained_map(creases));
+  Hde::detect_surface_regions(mesh, creases, regions_of(mesh), params::sharp_angle(angle).edge_is_constrained_map(creases));
   return Function(mesh, regions_of(mesh));
 }
 
@@ -179,7 +179,7 @@ void check(const std::string& name, Remeshing<AnyFunction>& r, const double devi
                           after = creases::segments(r.after, creases_of(r.after));
   const double forth = creases::largest_distance(after, before) / diagonal,
                back = creases::largest_distance(before, after) / diagonal;
-  const auto np = CGAL::parameters::face_patch_map(regions_of(r.after));
+  const auto np = params::face_patch_map(regions_of(r.after));
   const std::size_t folds = Hde::measure_embedding(r.after, r.function, np).number_of_folded_faces;
   const promises::Number_off_surface off_surface = number_off_surface(r.after, r.function, diagonal);
   const std::string broken = promises::broken(r.before, r.after, off_surface, r.result, true);

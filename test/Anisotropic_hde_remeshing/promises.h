@@ -37,6 +37,7 @@
 namespace promises {
 
 namespace Hde = CGAL::Anisotropic_hde_remeshing;
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
 
 constexpr double largest_distance = 1e-8; // of a vertex that counts as on the zero set, of the diagonal
 
@@ -187,9 +188,8 @@ Outcome outcome(const Mesh& input, const std::optional<Function>& function, cons
                 const std::size_t number_of_faces, const bool has_self_intersection_tests)
 {
   Mesh mesh = input;
-  const auto np = CGAL::parameters::sigma(sigma)
-                      .number_of_target_faces(number_of_faces)
-                      .do_self_intersection_tests(has_self_intersection_tests);
+  const auto np =
+      params::sigma(sigma).number_of_target_faces(number_of_faces).do_self_intersection_tests(has_self_intersection_tests);
   CGAL::Real_timer timer;
   timer.start();
   try

@@ -33,6 +33,7 @@
 namespace remeshing_checks {
 
 namespace Hde = CGAL::Anisotropic_hde_remeshing;
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
 
 // what the package promises for smooth surfaces
 struct Bounds
@@ -69,7 +70,7 @@ void check_validity(const std::string& name, const TriangleMesh& before, const T
   CHECK(Hde::measure_shape(after).number_of_degenerate_faces == 0);
   CHECK(!CGAL::Polygon_mesh_processing::does_self_intersect(after));
   const Hde::Zero_set_measures distance =
-      Hde::measure_distance_to_zero_set(after, function, CGAL::parameters::number_of_points_on_faces(1000));
+      Hde::measure_distance_to_zero_set(after, function, params::number_of_points_on_faces(1000));
   CHECK(distance.interior_vertex_max <= largest_distance * shapes::bounding_box_diagonal(before));
   std::cout << name << ": " << topology.number_of_faces << " faces, folds " << embedding.number_of_folded_faces
             << ", vertices/D " << distance.interior_vertex_max / shapes::bounding_box_diagonal(before) << std::endl;
@@ -80,8 +81,8 @@ template <typename TriangleMesh, typename Function>
 void check_quality(const TriangleMesh& mesh, const Function& function, const Hde::Remeshing_result& result,
                    const Bounds& bounds = Bounds())
 {
-  const Hde::Embedding_measures measures = Hde::measure_embedding(
-      mesh, function, CGAL::parameters::sigma(result.sigma).target_edge_length(result.target_edge_length));
+  const Hde::Embedding_measures measures =
+      Hde::measure_embedding(mesh, function, params::sigma(result.sigma).target_edge_length(result.target_edge_length));
   std::cout << "  lengths " << measures.share_within_sqrt_2 << ", mean/l "
             << measures.edge_length_mean / result.target_edge_length << ", angle " << measures.minimum_angle_mean << " / "
             << measures.minimum_angle_least << std::endl;

@@ -19,6 +19,7 @@
 using namespace shapes;
 
 namespace Hde = CGAL::Anisotropic_hde_remeshing;
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
 
 // long faces along a cylinder, and across it
 void test_alignment()
@@ -37,8 +38,7 @@ void test_alignment()
   CHECK(Hde::measure_alignment(ellipsoid(3), Sphere_function()).number_of_faces == 0);
   // the remeshed ellipsoid follows its curvature
   Mesh mesh = ellipsoid(4);
-  CGAL::anisotropic_hde_remeshing<CGAL::Parallel_if_available_tag>(mesh, Ellipsoid_function(),
-                                                                   CGAL::parameters::relative_sigma(0.15));
+  CGAL::anisotropic_hde_remeshing<CGAL::Parallel_if_available_tag>(mesh, Ellipsoid_function(), params::relative_sigma(0.15));
   const Hde::Alignment_measures remeshed = Hde::measure_alignment(mesh, Ellipsoid_function());
   std::cout << "remeshed: " << remeshed.number_of_faces << " faces, " << remeshed.angle_mean << " degrees" << std::endl;
   CHECK(remeshed.number_of_faces > 1000);

@@ -30,7 +30,7 @@
 using namespace shapes;
 
 namespace Hde = CGAL::Anisotropic_hde_remeshing;
-namespace parameters = CGAL::parameters;
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
 
 typedef CGAL::Parallel_if_available_tag Tag;
 
@@ -89,7 +89,7 @@ void test_error(const std::string& name, const Mesh& input, const Function& func
   const double error = relative_error * bounding_box_diagonal(input);
   Mesh mesh = input;
   const Hde::Remeshing_result result =
-      CGAL::anisotropic_hde_remeshing<Tag>(mesh, function, parameters::relative_approximation_error(relative_error));
+      CGAL::anisotropic_hde_remeshing<Tag>(mesh, function, params::relative_approximation_error(relative_error));
   remeshing_checks::check_validity(name, input, mesh, function);
   const double distance = largest_distance(mesh, function);
   const double ratio = Hde::approximation_bounds(mesh, function).max_on_surface / error;
@@ -107,10 +107,10 @@ void test_error(const std::string& name, const Mesh& input, const Function& func
 #ifdef CGAL_LINKED_WITH_TBB
     const tbb::global_control control(tbb::global_control::max_allowed_parallelism, 1);
 #endif
-    CGAL::anisotropic_hde_remeshing<Tag>(same, function, parameters::relative_approximation_error(relative_error));
+    CGAL::anisotropic_hde_remeshing<Tag>(same, function, params::relative_approximation_error(relative_error));
   }
   CHECK(remeshing_checks::digest(mesh) == remeshing_checks::digest(same));
-  CHECK(CGAL::anisotropic_hde_remeshing<Tag>(absolute, function, parameters::approximation_error(error)).approximation_error <=
+  CHECK(CGAL::anisotropic_hde_remeshing<Tag>(absolute, function, params::approximation_error(error)).approximation_error <=
         error * (1 + 1e-12));
   CHECK_CLOSE(double(absolute.number_of_faces()), double(mesh.number_of_faces()), 0.1 * double(mesh.number_of_faces()));
 }
@@ -124,15 +124,15 @@ void test_errors()
   // other embeddings, too, need more faces
   Mesh by_normals = ellipsoid(5), by_metric = by_normals;
   const Hde::Remeshing_result result = CGAL::anisotropic_hde_remeshing<Tag>(
-      by_normals, Ellipsoid_function(), parameters::relative_sigma(0.15).relative_approximation_error(5e-4));
+      by_normals, Ellipsoid_function(), params::relative_sigma(0.15).relative_approximation_error(5e-4));
   CHECK(result.approximation_error <= 5e-4 * bounding_box_diagonal(by_metric) * (1 + 1e-12));
-  CGAL::anisotropic_hde_remeshing<Tag>(by_metric, Ellipsoid_function(), parameters::relative_approximation_error(5e-4));
+  CGAL::anisotropic_hde_remeshing<Tag>(by_metric, Ellipsoid_function(), params::relative_approximation_error(5e-4));
   CHECK(by_metric.number_of_faces() < by_normals.number_of_faces());
 
   // the number of faces binds first
   Mesh few = ellipsoid(5);
   const Hde::Remeshing_result of_few = CGAL::anisotropic_hde_remeshing<Tag>(
-      few, Ellipsoid_function(), parameters::relative_approximation_error(1e-4).number_of_target_faces(1000));
+      few, Ellipsoid_function(), params::relative_approximation_error(1e-4).number_of_target_faces(1000));
   CHECK(of_few.binding_target == Hde::Target::NUMBER_OF_FACES);
   remeshing_checks::check_number_of_faces(few, 1000);
   CHECK(of_few.approximation_error > 1e-4 * bounding_box_diagonal(few));
@@ -140,18 +140,17 @@ void test_errors()
   // it does not
   Mesh many = ellipsoid(5);
   CHECK(CGAL::anisotropic_hde_remeshing<Tag>(many, Ellipsoid_function(),
-                                             parameters::relative_approximation_error(1e-3).number_of_target_faces(100000))
+                                             params::relative_approximation_error(1e-3).number_of_target_faces(100000))
             .binding_target == Hde::Target::APPROXIMATION_ERROR);
   CHECK(many.number_of_faces() < 5000);
 
   for (const double bad : {0., -1., std::nan(""), std::numeric_limits<double>::infinity()})
   {
     Mesh mesh = ellipsoid(2);
-    CHECK_THROWS(CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(), parameters::approximation_error(bad)),
+    CHECK_THROWS(CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(), params::approximation_error(bad)),
                  std::invalid_argument);
-    CHECK_THROWS(
-        CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(), parameters::relative_approximation_error(bad)),
-        std::invalid_argument);
+    CHECK_THROWS(CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(), params::relative_approximation_error(bad)),
+                 std::invalid_argument);
   }
 }
 
@@ -160,9 +159,9 @@ void test_fit()
   const Mesh input = ellipsoid(5);
   Mesh on_surface = input, fitted = input;
   CGAL::anisotropic_hde_remeshing<Tag>(on_surface, Ellipsoid_function(),
-                                       parameters::relative_sigma(0.15).number_of_target_faces(4000));
+                                       params::relative_sigma(0.15).number_of_target_faces(4000));
   CGAL::anisotropic_hde_remeshing<Tag>(fitted, Ellipsoid_function(),
-                                       parameters::relative_sigma(0.15).number_of_target_faces(4000).fit_to_surface(true));
+                                       params::relative_sigma(0.15).number_of_target_faces(4000).fit_to_surface(true));
   // only positions differ; the distance becomes a third of what it was: at best a quarter, where the surface is curved to one side
   CHECK(fitted.number_of_faces() == on_surface.number_of_faces());
   remeshing_checks::check_validity("fitted", input, fitted, Ellipsoid_function(), 1e-2);
@@ -174,7 +173,7 @@ void test_fit()
   // the boundary stays
   const Mesh half = half_sphere(24);
   Mesh open = half, open_fitted = half;
-  const auto np = parameters::relative_sigma(0.1).number_of_target_faces(2000);
+  const auto np = params::relative_sigma(0.1).number_of_target_faces(2000);
   CGAL::anisotropic_hde_remeshing<Tag>(open, Sphere_function(), np);
   CGAL::anisotropic_hde_remeshing<Tag>(open_fitted, Sphere_function(), np.fit_to_surface(true));
   CHECK(open.number_of_vertices() == open_fitted.number_of_vertices());

@@ -17,12 +17,14 @@
 
 using namespace crease_checks;
 
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
+
 Remeshing<Function> remesh_by_metric(Mesh mesh, const std::size_t faces, const bool is_fitted)
 {
   const Function function = detect(mesh, 40);
   Remeshing<Function> r{mesh, mesh, function, {}};
   r.result = CGAL::anisotropic_hde_remeshing<Tag>(r.after, function,
-                                                  CGAL::parameters::number_of_target_faces(faces)
+                                                  params::number_of_target_faces(faces)
                                                       .embedding(Hde::Curvature_metric(2))
                                                       .fit_to_surface(is_fitted)
                                                       .do_self_intersection_tests(true)
@@ -36,7 +38,7 @@ Remeshing<Function> remesh_by_error(Mesh mesh, const double error)
   const Function function = detect(mesh, 40);
   Remeshing<Function> r{mesh, mesh, function, {}};
   r.result = CGAL::anisotropic_hde_remeshing<Tag>(r.after, function,
-                                                  CGAL::parameters::approximation_error(error)
+                                                  params::approximation_error(error)
                                                       .do_self_intersection_tests(true)
                                                       .face_patch_map(regions_of(r.after))
                                                       .edge_is_constrained_map(creases_of(r.after)));
@@ -51,7 +53,7 @@ double deviation_from_polygon(const Mesh& mesh)
 
 Hde::Zero_set_measures distance(Remeshing<Function>& r)
 {
-  return Hde::measure_distance_to_zero_set<Tag>(r.after, r.function, CGAL::parameters::face_patch_map(regions_of(r.after)));
+  return Hde::measure_distance_to_zero_set<Tag>(r.after, r.function, params::face_patch_map(regions_of(r.after)));
 }
 
 void test_metric()

@@ -27,6 +27,8 @@
 using namespace shapes;
 using namespace remeshing_checks;
 
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
+
 // the bits of values and gradients near the mesh
 template <typename Function>
 std::vector<double> values(const Function& function, const Mesh& mesh)
@@ -49,7 +51,7 @@ std::uint64_t digest_of_rbf_remeshing(const Mesh& input, const double sigma, con
   function_values = values(function, input);
   Mesh mesh = input;
   CGAL::anisotropic_hde_remeshing<Tag>(
-      mesh, function, CGAL::parameters::sigma(sigma * bounding_box_diagonal(input)).number_of_target_faces(number_of_faces));
+      mesh, function, params::sigma(sigma * bounding_box_diagonal(input)).number_of_target_faces(number_of_faces));
   return digest(mesh);
 }
 
@@ -92,7 +94,7 @@ std::uint64_t digest_with_constraints(const Mesh& input)
   const CGAL::Rbf_implicit_function<Kernel, CGAL::Polyharmonic_rbf, Tag> function(mesh);
   CGAL::anisotropic_hde_remeshing<Tag>(
       range, mesh, function,
-      CGAL::parameters::number_of_target_faces(9000).face_patch_map(patch).vertex_is_constrained_map(is_constrained));
+      params::number_of_target_faces(9000).face_patch_map(patch).vertex_is_constrained_map(is_constrained));
   return digest(mesh);
 }
 
@@ -123,8 +125,7 @@ void test_analytic_function()
   const auto digest_of = [](const auto tag)
   {
     Mesh mesh = torus(60, 20);
-    CGAL::anisotropic_hde_remeshing<decltype(tag)>(mesh, Torus_function(),
-                                                   CGAL::parameters::sigma(0.1).number_of_target_faces(6000));
+    CGAL::anisotropic_hde_remeshing<decltype(tag)>(mesh, Torus_function(), params::sigma(0.1).number_of_target_faces(6000));
     return digest(mesh);
   };
   CHECK(digest_of(CGAL::Sequential_tag()) == digest_of(CGAL::Parallel_if_available_tag()));
@@ -139,7 +140,7 @@ void test_polyhedron(const Soup& soup, const Function& function)
   Polyhedron polyhedron = to_mesh<Polyhedron>(soup);
   if (!CHECK(digest(polyhedron) == digest(mesh)))
     return;
-  const auto np = CGAL::parameters::sigma(0.2).number_of_target_faces(2500);
+  const auto np = params::sigma(0.2).number_of_target_faces(2500);
   CGAL::anisotropic_hde_remeshing(mesh, function, np);
   CGAL::anisotropic_hde_remeshing(polyhedron, function, np);
   CHECK(CGAL::is_valid_polygon_mesh(polyhedron));
@@ -157,10 +158,10 @@ void test_point_map()
     positions[v] = mesh.point(v);
     mesh.point(v) = Point_3(7, 7, 7);
   }
-  const auto np = CGAL::parameters::sigma(0.5).number_of_target_faces(1000);
+  const auto np = params::sigma(0.5).number_of_target_faces(1000);
   CGAL::anisotropic_hde_remeshing(expected, Ellipsoid_function(), np);
   CGAL::anisotropic_hde_remeshing(mesh, Ellipsoid_function(),
-                                  CGAL::parameters::sigma(0.5).number_of_target_faces(1000).vertex_point_map(positions));
+                                  params::sigma(0.5).number_of_target_faces(1000).vertex_point_map(positions));
   CHECK(mesh.number_of_vertices() == expected.number_of_vertices());
   bool is_same = true;
   for (const Mesh::Vertex_index v : expected.vertices())
@@ -175,7 +176,7 @@ void test_point_map()
 void test_one_call()
 {
   Mesh mesh = ellipsoid(3), expected = mesh;
-  const auto np = CGAL::parameters::sigma(0.5).number_of_target_faces(2000).patch_overlap(2);
+  const auto np = params::sigma(0.5).number_of_target_faces(2000).patch_overlap(2);
   CGAL::anisotropic_hde_remeshing<CGAL::Parallel_if_available_tag>(mesh, np);
   const CGAL::Rbf_implicit_function<Kernel, CGAL::Polyharmonic_rbf, CGAL::Parallel_if_available_tag> function(expected, np);
   CGAL::anisotropic_hde_remeshing<CGAL::Parallel_if_available_tag>(expected, function, np);

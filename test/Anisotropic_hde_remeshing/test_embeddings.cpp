@@ -41,7 +41,7 @@ using namespace shapes;
 
 namespace Hde = CGAL::Anisotropic_hde_remeshing;
 namespace internal = CGAL::Anisotropic_hde_remeshing::internal;
-namespace parameters = CGAL::parameters;
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
 
 typedef CGAL::Parallel_if_available_tag Tag;
 
@@ -208,7 +208,7 @@ void test_remeshing_with_metrics()
   for (const double p : {1., 2., infinity})
   {
     Mesh mesh = input, same = input, other = ring;
-    const auto np = parameters::embedding(Hde::Curvature_metric(p)).number_of_target_faces(5000);
+    const auto np = params::embedding(Hde::Curvature_metric(p)).number_of_target_faces(5000);
     const Hde::Remeshing_result result = CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(), np);
     remeshing_checks::check_validity("ellipsoid", input, mesh, Ellipsoid_function());
     remeshing_checks::check_number_of_faces(mesh, 5000);
@@ -224,13 +224,12 @@ void test_remeshing_with_metrics()
   }
   // the paper's embedding is further from it
   Mesh mesh = input;
-  CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(),
-                                       parameters::relative_sigma(0.15).number_of_target_faces(5000));
+  CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(), params::relative_sigma(0.15).number_of_target_faces(5000));
   CHECK(rms_over_bound(mesh, Ellipsoid_function()) > 1.25);
 
   mesh = input;
   CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(),
-                                       parameters::embedding(Hde::Adaptive_normal_embedding()).number_of_target_faces(5000));
+                                       params::embedding(Hde::Adaptive_normal_embedding()).number_of_target_faces(5000));
   remeshing_checks::check_validity("adaptive", input, mesh, Ellipsoid_function());
   remeshing_checks::check_number_of_faces(mesh, 5000);
 }
@@ -254,10 +253,10 @@ void test_units()
   const Hde::Curvature_metric metric(infinity);
   Mesh mesh = input;
   const double length = 0.3;
-  const Hde::Remeshing_result result = CGAL::anisotropic_hde_remeshing<Tag>(
-      mesh, Ellipsoid_function(), parameters::embedding(metric).target_edge_length(length));
+  const Hde::Remeshing_result result =
+      CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(), params::embedding(metric).target_edge_length(length));
   CGAL::anisotropic_hde_remeshing<Tag>(large, Large_ellipsoid(),
-                                       parameters::embedding(metric).target_edge_length(length * metric.unit_of_lengths(unit)));
+                                       params::embedding(metric).target_edge_length(length * metric.unit_of_lengths(unit)));
   CHECK(result.binding_target == Hde::Target::EDGE_LENGTH);
   CHECK_CLOSE(result.target_edge_length, length, 1e-12);
   CHECK(mesh.number_of_faces() == large.number_of_faces());
@@ -310,8 +309,8 @@ void test_fields()
   // a front takes a fifth of the faces of a uniform mesh of the same error
   Mesh adapted = input, uniform = input;
   CGAL::anisotropic_hde_remeshing<Tag>(adapted, sphere,
-                                       parameters::embedding(embedding_of(0, 1, front)).number_of_target_faces(4000));
-  CGAL::anisotropic_hde_remeshing<Tag>(uniform, sphere, parameters::sigma(0).number_of_target_faces(20000));
+                                       params::embedding(embedding_of(0, 1, front)).number_of_target_faces(4000));
+  CGAL::anisotropic_hde_remeshing<Tag>(uniform, sphere, params::sigma(0).number_of_target_faces(20000));
   const double of_adapted = interpolation_error(adapted), of_uniform = interpolation_error(uniform);
   std::cout << "front: error with 4000 faces " << of_adapted << ", uniform with 20000 " << of_uniform << std::endl;
   CHECK(of_adapted <= of_uniform);
@@ -319,26 +318,26 @@ void test_fields()
 
   // what does not vary changes nothing; a vector counts as its components
   Mesh plain = input, constant = input, vector = input, weighted = input;
-  CGAL::anisotropic_hde_remeshing<Tag>(plain, sphere, parameters::sigma(0.1).number_of_target_faces(2000));
+  CGAL::anisotropic_hde_remeshing<Tag>(plain, sphere, params::sigma(0.1).number_of_target_faces(2000));
   CGAL::anisotropic_hde_remeshing<Tag>(
       constant, sphere,
-      parameters::embedding(embedding_of(0.1, 5, [](const Point_3&) { return 7.; })).number_of_target_faces(2000));
+      params::embedding(embedding_of(0.1, 5, [](const Point_3&) { return 7.; })).number_of_target_faces(2000));
   CHECK_CLOSE(double(plain.number_of_faces()), double(constant.number_of_faces()), 10);
-  CHECK_CLOSE(Hde::measure_embedding(plain, sphere, parameters::sigma(0.1)).edge_length_mean,
-              Hde::measure_embedding(constant, sphere, parameters::sigma(0.1)).edge_length_mean, 1e-3);
+  CHECK_CLOSE(Hde::measure_embedding(plain, sphere, params::sigma(0.1)).edge_length_mean,
+              Hde::measure_embedding(constant, sphere, params::sigma(0.1)).edge_length_mean, 1e-3);
   const auto two = [](const Point_3& p) { return std::array<double, 2>{{0.5 * p.x(), 0.5 * p.x()}}; };
   const auto one = [](const Point_3& p) { return std::sqrt(0.5) * p.x(); };
   CGAL::anisotropic_hde_remeshing<Tag>(
-      vector, sphere, parameters::embedding(Hde::scalar_field_embedding<Point_3>(0.1, 2, two)).number_of_target_faces(2000));
+      vector, sphere, params::embedding(Hde::scalar_field_embedding<Point_3>(0.1, 2, two)).number_of_target_faces(2000));
   CGAL::anisotropic_hde_remeshing<Tag>(weighted, sphere,
-                                       parameters::embedding(embedding_of(0.1, 2, one)).number_of_target_faces(2000));
+                                       params::embedding(embedding_of(0.1, 2, one)).number_of_target_faces(2000));
   CHECK_CLOSE(double(vector.number_of_faces()), double(weighted.number_of_faces()), 20);
   CHECK_CLOSE(CGAL::bounding_box(vector.points().begin(), vector.points().end()).xmax(), 1, 0.05);
 
   // a field that is not finite: the exception reaches the caller, and the mesh is as it was
   Mesh refused = input;
   const auto bad = [](const Point_3& p) { return p.z() > 0.9 ? std::nan("") : 0.; };
-  CHECK_THROWS(CGAL::anisotropic_hde_remeshing<Tag>(refused, sphere, parameters::embedding(embedding_of(0, 1, bad))),
+  CHECK_THROWS(CGAL::anisotropic_hde_remeshing<Tag>(refused, sphere, params::embedding(embedding_of(0, 1, bad))),
                std::domain_error);
   CHECK(remeshing_checks::digest(refused) == remeshing_checks::digest(input));
   CHECK_THROWS(embedding_of(0, -1, front), std::invalid_argument);
@@ -407,7 +406,7 @@ void test_stopping_while_refining()
     Mesh mesh = input;
     const Hde::Remeshing_result result =
         CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(),
-                                             parameters::embedding(embedding_of(0.5, 1, Stopping_visitor::field(state)))
+                                             params::embedding(embedding_of(0.5, 1, Stopping_visitor::field(state)))
                                                  .relative_approximation_error(5e-4)
                                                  .number_of_iterations(1)
                                                  .visitor(visitor));

@@ -25,6 +25,7 @@
 
 using namespace shapes;
 namespace Hde = CGAL::Anisotropic_hde_remeshing;
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
 
 typedef CGAL::Parallel_if_available_tag Tag;
 
@@ -54,8 +55,8 @@ struct Remeshing
 Remeshing remesh(Mesh mesh, const std::size_t number_of_faces)
 {
   Remeshing r;
-  r.result = CGAL::anisotropic_hde_remeshing<Tag>(
-      mesh, Sphere_without_cap(), CGAL::parameters::number_of_target_faces(number_of_faces).relative_sigma(0.05));
+  r.result = CGAL::anisotropic_hde_remeshing<Tag>(mesh, Sphere_without_cap(),
+                                                  params::number_of_target_faces(number_of_faces).relative_sigma(0.05));
   r.mesh = mesh;
   return r;
 }

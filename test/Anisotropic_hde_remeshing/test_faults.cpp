@@ -32,6 +32,8 @@
 using namespace shapes;
 using namespace remeshing_checks;
 
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
+
 // ------------------------------------------------------------------------------------------- an allocator that can fail
 
 namespace {
@@ -100,7 +102,7 @@ void check_exhaustion(const std::string& name, const Mesh& input, const Call& ca
 void test_exhaustion()
 {
   const Mesh input = ellipsoid(2);
-  const auto np = CGAL::parameters::number_of_target_faces(500).number_of_iterations(3);
+  const auto np = params::number_of_target_faces(500).number_of_iterations(3);
   check_exhaustion("own function", input, [&](Mesh& mesh) { CGAL::anisotropic_hde_remeshing(mesh, Ellipsoid_function(), np); });
   check_exhaustion("function from the mesh", input, [&](Mesh& mesh) { CGAL::anisotropic_hde_remeshing(mesh, np); });
   check_exhaustion("some faces", input,
@@ -110,8 +112,7 @@ void test_exhaustion()
                      for (const Mesh::Face_index f : mesh.faces())
                        if (std::size_t(f) < 100)
                          some.push_back(f);
-                     CGAL::anisotropic_hde_remeshing(some, mesh, Ellipsoid_function(),
-                                                     CGAL::parameters::number_of_iterations(3));
+                     CGAL::anisotropic_hde_remeshing(some, mesh, Ellipsoid_function(), params::number_of_iterations(3));
                    });
   Mesh with_garbage = input;
   CGAL::Euler::collapse_edge(*with_garbage.edges().begin(), with_garbage);
@@ -179,7 +180,7 @@ void check_exhaustion_with_map(const std::string& name, const Mesh& input, const
 void test_exhausted_maps()
 {
   const Mesh input = ellipsoid(1);
-  const auto np = CGAL::parameters::number_of_target_faces(200).number_of_iterations(2);
+  const auto np = params::number_of_target_faces(200).number_of_iterations(2);
   const auto remesh = [](Mesh& mesh, const auto& parameters)
   { CGAL::anisotropic_hde_remeshing(mesh, Ellipsoid_function(), parameters); };
   typedef Mesh::Vertex_index Vertex;
@@ -270,7 +271,7 @@ void check_survival(const char* name, const Function& function)
   for (const double sigma : {0., 0.5})
   {
     Mesh mesh = input;
-    const auto np = CGAL::parameters::sigma(sigma).number_of_target_faces(2000);
+    const auto np = params::sigma(sigma).number_of_target_faces(2000);
     const Hde::Remeshing_result result = CGAL::anisotropic_hde_remeshing<CGAL::Parallel_if_available_tag>(mesh, function, np);
     std::cout << name << ": " << mesh.number_of_faces() << " faces, closest points " << result.projections.closest_point
               << std::endl;

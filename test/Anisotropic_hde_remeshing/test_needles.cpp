@@ -26,6 +26,7 @@
 
 using namespace shapes;
 namespace Hde = CGAL::Anisotropic_hde_remeshing;
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
 
 typedef CGAL::Parallel_if_available_tag Tag;
 
@@ -56,7 +57,7 @@ void test_open_cylinder(const std::size_t sides, const std::size_t wanted)
   const Mesh before = cylinder(sides, 1, 2);
   Mesh mesh = before;
   const Hde::Remeshing_result result =
-      CGAL::anisotropic_hde_remeshing<Tag>(mesh, Cylinder_function(), CGAL::parameters::number_of_target_faces(wanted));
+      CGAL::anisotropic_hde_remeshing<Tag>(mesh, Cylinder_function(), params::number_of_target_faces(wanted));
   check_faces("open cylinder of " + std::to_string(sides) + " sides, " + std::to_string(wanted) + " asked", before, mesh, 4);
   CHECK(is_reached(mesh, wanted));
   CHECK(result.binding_target == Hde::Target::NUMBER_OF_FACES);
@@ -95,7 +96,7 @@ void test_can(const std::size_t sides, const std::size_t wanted)
   Mesh mesh = before;
   const Hde::Remeshing_result result = CGAL::anisotropic_hde_remeshing<Tag>(
       mesh, crease_checks::Can_function(),
-      CGAL::parameters::number_of_target_faces(wanted).relative_sigma(0.02).face_patch_map(crease_checks::regions_of(mesh)));
+      params::number_of_target_faces(wanted).relative_sigma(0.02).face_patch_map(crease_checks::regions_of(mesh)));
   check_faces("can of " + std::to_string(sides) + " sides, " + std::to_string(wanted) + " asked", before, mesh, 60);
   // Each circle keeps vertices, so that no edge leaves its polyline by more than 5e-5 of the diagonal. With three times the faces
   // that these need there is no excuse.

@@ -29,6 +29,8 @@
 #include <vector>
 
 using namespace shapes;
+
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
 using CGAL::Anisotropic_hde_remeshing::Piece_kind;
 typedef CGAL::Piecewise_rbf_implicit_function<Kernel, CGAL::Polyharmonic_rbf, CGAL::Parallel_if_available_tag> Function;
 typedef Mesh::Property_map<Mesh::Face_index, std::size_t> Regions;
@@ -37,7 +39,7 @@ Regions regions_of(Mesh& mesh, const double angle = 30)
 {
   const Regions regions = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:region", 0).first;
   const auto is_crease = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_crease", false).first;
-  CGAL::Anisotropic_hde_remeshing::detect_surface_regions(mesh, is_crease, regions, CGAL::parameters::sharp_angle(angle));
+  CGAL::Anisotropic_hde_remeshing::detect_surface_regions(mesh, is_crease, regions, params::sharp_angle(angle));
   return regions;
 }
 
@@ -131,7 +133,7 @@ void test_hemispheres()
       z += mesh.point(v).z();
     regions[f] = z > 0 ? 0 : 1;
   }
-  const Function function(mesh, regions, CGAL::parameters::number_of_patches(60));
+  const Function function(mesh, regions, params::number_of_patches(60));
   CHECK(function.diagnostics().number_of_fields == 2 && function.diagnostics().number_of_patches >= 60);
   double largest = 0;
   for (const Point_3& p : spiral_points(5000))
@@ -229,11 +231,11 @@ void test_visitor()
     for (const int last : {1, 2, 5})
     {
       const Stopping_visitor visitor(last);
-      CHECK_THROWS(Function(*mesh, regions, CGAL::parameters::visitor(visitor)), Interrupted);
+      CHECK_THROWS(Function(*mesh, regions, params::visitor(visitor)), Interrupted);
       CHECK(*visitor.questions == last);
     }
     const Stopping_visitor patient((std::numeric_limits<int>::max)());
-    CHECK_NO_THROW(Function(*mesh, regions, CGAL::parameters::visitor(patient)));
+    CHECK_NO_THROW(Function(*mesh, regions, params::visitor(patient)));
     CHECK(*patient.questions >= 5);
   }
 }
@@ -244,8 +246,8 @@ void test_invalid_input()
   const Regions regions = regions_of(mesh);
   const auto message = [&](const auto& np) { return invalid_argument_message([&] { Function f(mesh, regions, np); }); };
   CHECK(message(CGAL::parameters::default_values()).empty());
-  CHECK(contains(message(CGAL::parameters::number_of_patches(0)), "number_of_patches is 0"));
-  CHECK(contains(message(CGAL::parameters::patch_overlap(-1)), "patch_overlap is -1"));
+  CHECK(contains(message(params::number_of_patches(0)), "number_of_patches is 0"));
+  CHECK(contains(message(params::patch_overlap(-1)), "patch_overlap is -1"));
   CHECK_THROWS(Function(mesh, regions).piece(0)(Point_3(0, 0, std::numeric_limits<double>::quiet_NaN())),
                std::invalid_argument);
   regions[Mesh::Face_index(5)] = 1000;

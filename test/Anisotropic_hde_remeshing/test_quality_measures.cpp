@@ -30,6 +30,7 @@
 #include <utility>
 
 namespace Hde = CGAL::Anisotropic_hde_remeshing;
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
 
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef Kernel::Point_3 Point_3;
@@ -205,13 +206,13 @@ void test_embedding()
   // Flat: the normals do not differ and the lengths are those in space.
   const Plane_function plane{};
   Mesh mesh = triangle(Point_3(0, 0, 0), Point_3(3, 0, 0), Point_3(0, 4, 0));
-  Hde::Embedding_measures measures = Hde::measure_embedding(mesh, plane, CGAL::parameters::sigma(7.));
+  Hde::Embedding_measures measures = Hde::measure_embedding(mesh, plane, params::sigma(7.));
   CHECK_CLOSE(measures.edge_length_mean, std::cbrt(60.), 1e-14);
   CHECK_CLOSE(measures.target_edge_length, std::cbrt(60.), 1e-14);
   CHECK_CLOSE(measures.minimum_angle_least, std::atan2(3., 4.) * 180 / CGAL_PI, 1e-12);
   CHECK_CLOSE(measures.share_within_half, 1, 0);
   CHECK(measures.sigma == 7 && measures.number_of_folded_faces == 0);
-  measures = Hde::measure_embedding(mesh, plane, CGAL::parameters::sigma(7.).target_edge_length(5.5));
+  measures = Hde::measure_embedding(mesh, plane, params::sigma(7.).target_edge_length(5.5));
   CHECK_CLOSE(measures.share_within_half, 1, 0);            // [2.75, 8.25]
   CHECK_CLOSE(measures.share_within_sqrt_2, 2 / 3., 1e-15); // [3.85, 7.755]
   CHECK_CLOSE(Hde::measure_embedding(mesh, plane).sigma, 0.05, 1e-15);
@@ -219,15 +220,15 @@ void test_embedding()
   // Unit sphere: the normals are the points, every length is sqrt(1 + sigma^2) times that in space.
   const Mesh sphere = icosphere(3);
   const Sphere_function function{1};
-  const double in_space = Hde::measure_embedding(sphere, function, CGAL::parameters::sigma(0.)).edge_length_mean;
-  measures = Hde::measure_embedding(sphere, function, CGAL::parameters::sigma(2.));
+  const double in_space = Hde::measure_embedding(sphere, function, params::sigma(0.)).edge_length_mean;
+  measures = Hde::measure_embedding(sphere, function, params::sigma(2.));
   CHECK_CLOSE(measures.edge_length_mean, std::sqrt(5.) * in_space, 1e-13);
   CHECK(measures.number_of_folded_faces == 0);
   const Hde::Embedding_measures parallel =
-      Hde::measure_embedding<CGAL::Parallel_if_available_tag>(sphere, function, CGAL::parameters::sigma(2.));
+      Hde::measure_embedding<CGAL::Parallel_if_available_tag>(sphere, function, params::sigma(2.));
   CHECK(parallel.edge_length_mean == measures.edge_length_mean);
   CHECK(parallel.minimum_angle_mean == measures.minimum_angle_mean);
-  CHECK_CLOSE(Hde::measure_embedding(icosphere(0), function, CGAL::parameters::sigma(2.)).minimum_angle_least, 60, 1e-10);
+  CHECK_CLOSE(Hde::measure_embedding(icosphere(0), function, params::sigma(2.)).minimum_angle_least, 60, 1e-10);
 }
 
 void test_folded_faces()
@@ -273,7 +274,7 @@ void test_distance_to_zero_set()
   // The vertices of the icosphere are on the sphere, its faces inside: by at most the height of the largest face.
   const Mesh sphere = icosphere(3);
   const Sphere_function function{1};
-  measures = Hde::measure_distance_to_zero_set(sphere, function, CGAL::parameters::number_of_points_on_faces(50000));
+  measures = Hde::measure_distance_to_zero_set(sphere, function, params::number_of_points_on_faces(50000));
   CHECK(measures.interior_vertex_max < 1e-15 && measures.boundary_vertex_max == 0);
   CHECK(measures.number_of_samples == 50000);
   double height = 0;
@@ -286,7 +287,7 @@ void test_distance_to_zero_set()
   }
   CHECK(measures.face_max <= height * 1.001 && measures.face_max > 0.95 * height);
   const Hde::Zero_set_measures parallel = Hde::measure_distance_to_zero_set<CGAL::Parallel_if_available_tag>(
-      sphere, function, CGAL::parameters::number_of_points_on_faces(50000));
+      sphere, function, params::number_of_points_on_faces(50000));
   CHECK(parallel.face_rms == measures.face_rms && parallel.face_max == measures.face_max);
 }
 
@@ -295,7 +296,7 @@ void test_distance()
   // parallel squares, the second twice as large: from the first everything is at 0.5, from the second its far corner
   const Mesh low = grid<Mesh>(8, 0);
   Mesh high = grid<Mesh>(3, 0.5);
-  const auto samples = CGAL::parameters::number_of_points_on_faces(20000);
+  const auto samples = params::number_of_points_on_faces(20000);
   Hde::Distance_measures measures = Hde::measure_distance(low, high, samples);
   CHECK_CLOSE(measures.rms(), 0.5, 1e-12);
   CHECK_CLOSE(measures.max(), 0.5, 1e-12);
@@ -380,7 +381,7 @@ void test_true_distance()
 
 void test_invalid_parameters()
 {
-  using namespace CGAL::parameters;
+  using namespace CGAL::Anisotropic_hde_remeshing::parameters;
   const Mesh mesh = icosphere(1);
   const double nan_value = std::nan("");
   for (const double bad : {-1., nan_value})

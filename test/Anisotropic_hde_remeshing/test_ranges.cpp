@@ -38,6 +38,7 @@ typedef Mesh::Face_index Face;
 typedef CGAL::Rbf_implicit_function<Kernel, CGAL::Polyharmonic_rbf, CGAL::Parallel_if_available_tag> Function;
 
 namespace internal = CGAL::Anisotropic_hde_remeshing::internal;
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
 
 // as the views of C++20 may be: it remembers where it is, and its end is of another type
 class Every_other_face
@@ -74,14 +75,13 @@ struct Is_taken_for_faces : std::false_type
 };
 template <typename FaceRange>
 struct Is_taken_for_faces<
-    FaceRange,
-    std::void_t<decltype(CGAL::anisotropic_hde_remeshing(std::declval<FaceRange&>(), std::declval<Mesh&>(),
-                                                         std::declval<const Function&>())),
-                decltype(CGAL::anisotropic_hde_remeshing(std::declval<const FaceRange&>(), std::declval<Mesh&>())),
-                decltype(CGAL::anisotropic_hde_remeshing(std::declval<const FaceRange&>(), std::declval<Mesh&>(),
-                                                         CGAL::parameters::sigma(1))),
-                decltype(CGAL::anisotropic_hde_remeshing(std::declval<FaceRange&>(), std::declval<Mesh&>(),
-                                                         std::declval<const Function&>(), CGAL::parameters::sigma(1)))>>
+    FaceRange, std::void_t<decltype(CGAL::anisotropic_hde_remeshing(std::declval<FaceRange&>(), std::declval<Mesh&>(),
+                                                                    std::declval<const Function&>())),
+                           decltype(CGAL::anisotropic_hde_remeshing(std::declval<const FaceRange&>(), std::declval<Mesh&>())),
+                           decltype(CGAL::anisotropic_hde_remeshing(std::declval<const FaceRange&>(), std::declval<Mesh&>(),
+                                                                    params::sigma(1))),
+                           decltype(CGAL::anisotropic_hde_remeshing(std::declval<FaceRange&>(), std::declval<Mesh&>(),
+                                                                    std::declval<const Function&>(), params::sigma(1)))>>
   : std::bool_constant<internal::is_face_range<FaceRange> && internal::accepts_faces<Mesh, FaceRange>()>
 {
 };

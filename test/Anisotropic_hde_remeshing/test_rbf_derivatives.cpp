@@ -31,6 +31,7 @@
 using namespace shapes;
 
 namespace internal = CGAL::Anisotropic_hde_remeshing::internal;
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
 
 typedef CGAL::Rbf_implicit_function<Kernel, CGAL::Polyharmonic_rbf, CGAL::Parallel_if_available_tag> Function;
 typedef CGAL::Rbf_implicit_function<Kernel, CGAL::Multiquadric_rbf, CGAL::Parallel_if_available_tag> Multiquadric_function;
@@ -92,7 +93,7 @@ void test_against_differences()
   const Mesh mesh = ellipsoid(3);
   for (const std::size_t number_of_patches : {26, 100})
   {
-    const F f(mesh, CGAL::parameters::number_of_patches(number_of_patches));
+    const F f(mesh, params::number_of_patches(number_of_patches));
     CHECK(f.diagnostics().number_of_patches >= number_of_patches);
     CHECK(f.diagnostics().patches_on_fallback == 0);
     double gradient = 0, hessian = 0, far_gradient = 0;
@@ -387,7 +388,7 @@ void test_fallback()
   const Mesh mesh = to_mesh(soup);
   for (const std::size_t number_of_patches : {1, 3})
   {
-    const Function f(mesh, CGAL::parameters::number_of_patches(number_of_patches));
+    const Function f(mesh, params::number_of_patches(number_of_patches));
     CHECK(f.diagnostics().patches_on_fallback > 0);
     for (const Point_3& q : spiral_points(100))
       check_shape_operator(f, Point_3(0.5, 0.5, 0.5) + 0.7 * (q - CGAL::ORIGIN));

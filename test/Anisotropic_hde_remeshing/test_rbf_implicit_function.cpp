@@ -26,6 +26,8 @@
 
 using namespace shapes;
 
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
+
 typedef CGAL::Rbf_implicit_function<Kernel, CGAL::Polyharmonic_rbf, CGAL::Parallel_if_available_tag> Function;
 typedef CGAL::Rbf_implicit_function<Kernel, CGAL::Thin_plate_rbf, CGAL::Parallel_if_available_tag> Thin_plate_function;
 typedef CGAL::Rbf_implicit_function<Kernel, CGAL::Wendland_C2_rbf, CGAL::Parallel_if_available_tag> Wendland_function;
@@ -152,7 +154,7 @@ void test_interpolation(const double two_sided_tolerance = 1e-10)
   for (const bool is_two_sided : {false, true})
   {
     const double tolerance = (is_two_sided ? two_sided_tolerance : 1e-10) * diagonal;
-    const F f(input.mesh, CGAL::parameters::vertex_normal_map(input.normals).two_sided_offsets(is_two_sided));
+    const F f(input.mesh, params::vertex_normal_map(input.normals).two_sided_offsets(is_two_sided));
     CHECK(f.diagnostics().number_of_points == 2562);
     CHECK(f.diagnostics().number_of_shortened_offsets == 0);
     CHECK(f.diagnostics().patches_on_fallback == 0);
@@ -258,7 +260,7 @@ template <typename F, typename Phi>
 void test_one_patch_of_ellipsoid(const Phi& phi, const double offset)
 {
   const Ellipsoid_with_normals input(2);
-  const F f(input.mesh, CGAL::parameters::number_of_patches(1).offset_distance(offset).vertex_normal_map(input.normals));
+  const F f(input.mesh, params::number_of_patches(1).offset_distance(offset).vertex_normal_map(input.normals));
   CHECK(f.diagnostics().number_of_patches == 1);
   CHECK(f.diagnostics().max_centres == 2 * input.mesh.number_of_vertices());
   const auto reference = reference_interpolant(input.mesh, input.normals, offset, phi, Eigen::Vector3d::Zero());
@@ -282,7 +284,7 @@ void test_one_patch_of_hills(const Phi& phi)
     sum += normals[v];
   }
   const double offset = 0.01;
-  const F f(mesh, CGAL::parameters::number_of_patches(1).offset_distance(offset).vertex_normal_map(normals));
+  const F f(mesh, params::number_of_patches(1).offset_distance(offset).vertex_normal_map(normals));
   CHECK(f.diagnostics().max_centres == 2 * mesh.number_of_vertices());
   const Eigen::Vector3d mean = Eigen::Vector3d(sum.x(), sum.y(), sum.z()).normalized();
   const auto reference = reference_interpolant(mesh, normals, offset, phi, mean),
@@ -344,7 +346,7 @@ void test_smoothing()
   };
   {
     const Ellipsoid_with_normals input = noisy_ellipsoid(10 * pi / 180, 0);
-    const auto np = CGAL::parameters::vertex_normal_map(input.normals).two_sided_offsets(true);
+    const auto np = params::vertex_normal_map(input.normals).two_sided_offsets(true);
     const Function rough(input.mesh, np), smooth(input.mesh, np.smoothing(0.1));
     check_residual(rough, input, false);
     check_residual(smooth, input, true);
@@ -352,7 +354,7 @@ void test_smoothing()
     CHECK(rms_angle(smooth) < 0.5 * rms_angle(rough));
   }
   const Ellipsoid_with_normals input = noisy_ellipsoid(0, 0.01);
-  const auto np = CGAL::parameters::vertex_normal_map(input.normals).relative_offset_distance(0.3);
+  const auto np = params::vertex_normal_map(input.normals).relative_offset_distance(0.3);
   const Function rough(input.mesh, np), smooth(input.mesh, np.smoothing(1));
   check_residual(rough, input, false);
   check_residual(smooth, input, true);
@@ -365,8 +367,8 @@ void test_residual_of_one_patch()
 {
   const Ellipsoid_with_normals input(2);
   const double offset = 0.05;
-  const Function f(input.mesh, CGAL::parameters::number_of_patches(1).offset_distance(offset).smoothing(0.02).vertex_normal_map(
-                                   input.normals));
+  const Function f(input.mesh,
+                   params::number_of_patches(1).offset_distance(offset).smoothing(0.02).vertex_normal_map(input.normals));
   const double residual = (std::max)(largest_residual_on_surface(f, input),
                                      largest_residual(f, input, [&](const Mesh::Vertex_index) { return offset; }));
   CHECK(residual > 1e-4);
@@ -383,7 +385,7 @@ void test_compact_support()
     return std::pow(1 - t, 4) * (4 * t + 1);
   };
   const CGAL::Wendland_C2_rbf kernel(support, CGAL::Rbf_length_unit::COORDINATES);
-  const auto np = CGAL::parameters::number_of_patches(1).radial_function(kernel);
+  const auto np = params::number_of_patches(1).radial_function(kernel);
   {
     const Ellipsoid_with_normals input(3);
     const double offset = 0.02;
@@ -425,7 +427,7 @@ void test_units_of_shape_parameter()
     const auto function = [&](const double length, const CGAL::Rbf_length_unit unit)
     {
       const CGAL::Wendland_C2_rbf kernel(length, unit);
-      return Wendland_function(mesh, CGAL::parameters::number_of_patches(1).radial_function(kernel));
+      return Wendland_function(mesh, params::number_of_patches(1).radial_function(kernel));
     };
     const Wendland_function relative = function(7, CGAL::Rbf_length_unit::LOCAL_SPACING),
                             absolute = function(7 * scale * spacing, CGAL::Rbf_length_unit::COORDINATES),
@@ -459,7 +461,7 @@ struct Biharmonic_rbf
 // sets to the steps. The neighbours of a patch differ from it by some 1e-4, a hundred times what the bounds let through.
 void test_continuity()
 {
-  const Function f(ellipsoid(3), CGAL::parameters::number_of_patches(60));
+  const Function f(ellipsoid(3), params::number_of_patches(60));
   // largest curvature of the ellipsoid: 5, at its tips; the blending adds a little
   const double lipschitz = 4 * 5;
   const std::size_t steps = 200000;
@@ -548,7 +550,7 @@ void test_patches()
 {
   const Mesh mesh = ellipsoid(4);
   const std::size_t asked = 60;
-  const Function f(mesh, CGAL::parameters::number_of_patches(asked));
+  const Function f(mesh, params::number_of_patches(asked));
   const std::size_t n = f.diagnostics().number_of_patches;
   CHECK(n >= asked && n < 2 * asked);
   std::vector<std::vector<Point_3>> points(n);

@@ -31,6 +31,8 @@
 
 using namespace shapes;
 
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
+
 typedef CGAL::Rbf_implicit_function<Kernel, CGAL::Polyharmonic_rbf, CGAL::Parallel_if_available_tag> Function;
 typedef std::pair<Point_3, Vector_3> Point_with_normal;
 typedef std::vector<Point_with_normal> Points_with_normals;
@@ -89,7 +91,7 @@ void test_points_with_normals()
     normals.push_back(17 * p.second); // of any length
   }
   const Function from_indices(
-      indices, CGAL::parameters::point_map(CGAL::make_property_map(positions)).normal_map(CGAL::make_property_map(normals)));
+      indices, params::point_map(CGAL::make_property_map(positions)).normal_map(CGAL::make_property_map(normals)));
   CHECK(largest_difference(from_points, from_indices) < 1e-9);
 }
 
@@ -103,7 +105,7 @@ void test_point_map_of_mesh()
     positions[v] = moved.point(v);
     moved.point(v) = Point_3(0, 0, 0);
   }
-  CHECK(largest_difference(Function(mesh), Function(moved, CGAL::parameters::vertex_point_map(positions))) == 0);
+  CHECK(largest_difference(Function(mesh), Function(moved, params::vertex_point_map(positions))) == 0);
 }
 
 void test_isolated_vertices()
@@ -156,7 +158,7 @@ void test_close_sheets()
       points.emplace_back(Point_3(0.1 * i, 0.1 * j, 0), Vector_3(0, 0, 1));
       points.emplace_back(Point_3(0.1 * i, 0.1 * j, gap), Vector_3(0, 0, -1));
     }
-  const Function f(points, CGAL::parameters::offset_distance(0.05));
+  const Function f(points, params::offset_distance(0.05));
   CHECK(f.diagnostics().number_of_shortened_offsets == points.size());
   std::size_t wrong = 0;
   for (int i = 4; i < 32; ++i)
@@ -380,7 +382,7 @@ void test_degenerate_positions()
   for (int i = 0; i < 12; ++i)
     CGAL::make_triangle(Point_3(i, 0, 0), Point_3(i + 0.5, 0, 0), Point_3(i + 0.9, 0, 0), needles);
   auto normals = needles.add_property_map<Mesh::Vertex_index, Vector_3>("v:normal", Vector_3(0, 0, 1)).first;
-  const Function g(needles, CGAL::parameters::vertex_normal_map(normals));
+  const Function g(needles, params::vertex_normal_map(normals));
   for (const double z : {-100., -0.5, 0.5, 100.})
     CHECK(std::isfinite(g(Point_3(5, 0, z))) && g(Point_3(5, 0, z)) * z > 0);
 }
@@ -561,7 +563,7 @@ void test_invalid_input()
 
 void test_invalid_parameters()
 {
-  using namespace CGAL::parameters;
+  using namespace CGAL::Anisotropic_hde_remeshing::parameters;
   const Mesh mesh = ellipsoid(1);
   CHECK(contains(message_of(mesh, number_of_patches(0)), "number_of_patches is 0"));
   CHECK(contains(message_of(mesh, number_of_patches(-3)), "number_of_patches is -3"));

@@ -25,6 +25,7 @@ using namespace shapes;
 using namespace remeshing_checks;
 
 namespace PMP = CGAL::Polygon_mesh_processing;
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
 
 typedef CGAL::Parallel_if_available_tag Tag;
 
@@ -38,8 +39,7 @@ void test_surface(const char* name, const Mesh& input, const Function& function,
     {
       Mesh mesh = input;
       const Hde::Remeshing_result result = CGAL::anisotropic_hde_remeshing<Tag>(
-          mesh, function,
-          CGAL::parameters::sigma(sigma * bounding_box_diagonal(input)).number_of_target_faces(number_of_faces));
+          mesh, function, params::sigma(sigma * bounding_box_diagonal(input)).number_of_target_faces(number_of_faces));
       std::ostringstream text;
       text << name << ", sigma " << sigma << " D, " << number_of_faces << " faces";
       check_validity(text.str(), input, mesh, function);
@@ -61,7 +61,7 @@ void test_sigma()
   for (const double sigma : {0., 0.05, 0.15, 0.4})
   {
     Mesh mesh = input;
-    CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(), CGAL::parameters::sigma(sigma * diagonal));
+    CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(), params::sigma(sigma * diagonal));
     const double aspect_ratio = Hde::measure_shape(mesh).aspect_ratio_mean;
     std::cout << "aspect ratio with sigma " << sigma << " D: " << aspect_ratio << std::endl;
     CHECK(aspect_ratio > 1.02 * last);
@@ -82,7 +82,7 @@ void test_large_sigma()
       {
         Mesh mesh = input;
         CGAL::anisotropic_hde_remeshing<Tag>(mesh, function,
-                                             CGAL::parameters::relative_sigma(sigma).number_of_target_faces(number_of_faces));
+                                             params::relative_sigma(sigma).number_of_target_faces(number_of_faces));
         check_validity(name + ", sigma " + std::to_string(sigma) + " D", input, mesh, function);
         check_number_of_faces(mesh, number_of_faces);
       };
@@ -103,8 +103,7 @@ void test_scans()
     for (const double sigma : {0.005, 0.05})
     {
       Mesh mesh = input;
-      CGAL::anisotropic_hde_remeshing<Tag>(mesh, function,
-                                           CGAL::parameters::relative_sigma(sigma).number_of_target_faces(20000));
+      CGAL::anisotropic_hde_remeshing<Tag>(mesh, function, params::relative_sigma(sigma).number_of_target_faces(20000));
       check_validity(std::string(name) + ", sigma " + std::to_string(sigma) + " D", input, mesh, function);
       check_number_of_faces(mesh, 20000);
     }
@@ -116,7 +115,7 @@ void test_filling_in()
 {
   const Mesh input = ellipsoid(4); // 2,562 vertices
   Mesh mesh = input;
-  CGAL::anisotropic_hde_remeshing<Tag>(mesh, CGAL::parameters::relative_sigma(0.15).number_of_target_faces(39996));
+  CGAL::anisotropic_hde_remeshing<Tag>(mesh, params::relative_sigma(0.15).number_of_target_faces(39996));
   check_number_of_faces(mesh, 39996);
   // to first order, from the faces
   const double rms = Hde::measure_distance_to_zero_set<Tag>(mesh, Ellipsoid_function()).face_rms / bounding_box_diagonal(input);
@@ -144,8 +143,8 @@ void test_target_edge_length()
   for (const double length : {0.9, 0.45, 0.25})
   {
     Mesh mesh = input;
-    const Hde::Remeshing_result result = CGAL::anisotropic_hde_remeshing<Tag>(
-        mesh, Ellipsoid_function(), CGAL::parameters::target_edge_length(length).sigma(sigma));
+    const Hde::Remeshing_result result =
+        CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(), params::target_edge_length(length).sigma(sigma));
     CHECK(result.target_edge_length == length);
     check_validity("ellipsoid, length " + std::to_string(length), input, mesh, Ellipsoid_function());
     check_quality(mesh, Ellipsoid_function(), result);
@@ -165,13 +164,13 @@ void test_scheme_of_the_paper()
     Mesh mesh = input;
     const Hde::Remeshing_result result =
         CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(),
-                                             CGAL::parameters::remeshing_scheme(Hde::Remeshing_scheme::PAPER)
+                                             params::remeshing_scheme(Hde::Remeshing_scheme::PAPER)
                                                  .sigma(0.05 * bounding_box_diagonal(input))
                                                  .number_of_target_faces(number_of_faces));
     check_validity("scheme of the paper", input, mesh, Ellipsoid_function());
     CHECK(result.number_of_iterations == 10);
     const Hde::Embedding_measures measures = Hde::measure_embedding(
-        mesh, Ellipsoid_function(), CGAL::parameters::sigma(result.sigma).target_edge_length(result.target_edge_length));
+        mesh, Ellipsoid_function(), params::sigma(result.sigma).target_edge_length(result.target_edge_length));
     std::cout << "  within [.5, 1.5]: " << measures.share_within_half << ", angle " << measures.minimum_angle_mean << std::endl;
     CHECK(measures.share_within_half >= 0.99);
   }
@@ -187,8 +186,8 @@ void test_projection_only()
     input.point(v) = CGAL::ORIGIN + (1 + 0.02 * std::sin(20 * p.x())) * (p - CGAL::ORIGIN);
   }
   Mesh mesh = input;
-  const Hde::Remeshing_result result = CGAL::anisotropic_hde_remeshing<Tag>(
-      mesh, Sphere_function(), CGAL::parameters::number_of_iterations(0).number_of_target_faces(50));
+  const Hde::Remeshing_result result =
+      CGAL::anisotropic_hde_remeshing<Tag>(mesh, Sphere_function(), params::number_of_iterations(0).number_of_target_faces(50));
   CHECK(result.number_of_iterations == 0);
   CHECK(result.number_of_splits + result.number_of_collapses + result.number_of_flips == 0);
   CHECK(mesh.number_of_faces() == input.number_of_faces());
@@ -203,7 +202,7 @@ void test_orientation()
   Mesh mesh = ellipsoid(3);
   PMP::reverse_face_orientations(mesh);
   const Mesh input = mesh;
-  CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(), CGAL::parameters::sigma(0.5).number_of_target_faces(2000));
+  CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(), params::sigma(0.5).number_of_target_faces(2000));
   CHECK(!PMP::is_outward_oriented(mesh));
   PMP::reverse_face_orientations(mesh);
   check_validity("reversed", input, mesh, Ellipsoid_function());
@@ -230,7 +229,7 @@ void test_two_components()
   }
   const Mesh input = to_mesh(soup);
   Mesh mesh = input;
-  CGAL::anisotropic_hde_remeshing<Tag>(mesh, Two_spheres(), CGAL::parameters::number_of_target_faces(1000));
+  CGAL::anisotropic_hde_remeshing<Tag>(mesh, Two_spheres(), params::number_of_target_faces(1000));
   check_validity("two spheres", input, mesh, Two_spheres());
   check_number_of_faces(mesh, 1000);
 }

@@ -23,6 +23,8 @@
 using namespace shapes;
 using namespace remeshing_checks;
 
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
+
 typedef CGAL::Parallel_if_available_tag Tag;
 
 Polyline boundary(const Mesh& mesh)
@@ -64,7 +66,7 @@ Mesh remeshed(const std::string& name, const Mesh& input, const Function& functi
 {
   Mesh mesh = input;
   const Hde::Remeshing_result result = CGAL::anisotropic_hde_remeshing<Tag>(
-      mesh, function, CGAL::parameters::sigma(sigma * bounding_box_diagonal(input)).number_of_target_faces(number_of_faces));
+      mesh, function, params::sigma(sigma * bounding_box_diagonal(input)).number_of_target_faces(number_of_faces));
   check_validity(name + ", sigma " + std::to_string(sigma) + " D", input, mesh, function);
   check_number_of_faces(mesh, number_of_faces);
   check_quality(mesh, function, result, bounds_for_grids());
@@ -112,7 +114,7 @@ void test_scan()
   const CGAL::Rbf_implicit_function<Kernel, CGAL::Polyharmonic_rbf, Tag> function(input);
   Mesh mesh = input;
   const Hde::Remeshing_result result =
-      CGAL::anisotropic_hde_remeshing<Tag>(mesh, function, CGAL::parameters::number_of_target_faces(12000));
+      CGAL::anisotropic_hde_remeshing<Tag>(mesh, function, params::number_of_target_faces(12000));
   check_validity("lion head", input, mesh, function);
   check_number_of_faces(mesh, 12000);
   check_quality(mesh, function, result);
@@ -133,7 +135,7 @@ void test_tiny_meshes()
   for (const std::size_t number_of_faces : {1, 100})
   {
     Mesh mesh = triangle;
-    CGAL::anisotropic_hde_remeshing<Tag>(mesh, Plane_function(), CGAL::parameters::number_of_target_faces(number_of_faces));
+    CGAL::anisotropic_hde_remeshing<Tag>(mesh, Plane_function(), params::number_of_target_faces(number_of_faces));
     check_validity("triangle", triangle, mesh, Plane_function());
     check_boundary(triangle, mesh, 1e-12);
   }
@@ -142,7 +144,7 @@ void test_tiny_meshes()
   CGAL::Euler::remove_face(halfedge(*faces(open_tetrahedron).begin(), open_tetrahedron), open_tetrahedron);
   open_tetrahedron.collect_garbage();
   Mesh mesh = open_tetrahedron;
-  CGAL::anisotropic_hde_remeshing<Tag>(mesh, Sphere_function{std::sqrt(3.)}, CGAL::parameters::number_of_target_faces(500));
+  CGAL::anisotropic_hde_remeshing<Tag>(mesh, Sphere_function{std::sqrt(3.)}, params::number_of_target_faces(500));
   CHECK(CGAL::is_valid_polygon_mesh(mesh));
   CHECK(Hde::measure_topology(mesh).euler_characteristic == 1);
   check_boundary(open_tetrahedron, mesh, 1e-12);

@@ -29,6 +29,7 @@ using namespace shapes;
 using namespace remeshing_checks;
 
 namespace PMP = CGAL::Polygon_mesh_processing;
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
 
 typedef CGAL::Parallel_if_available_tag Tag;
 typedef CGAL::Polyhedron_3<Kernel> Polyhedron;
@@ -109,8 +110,7 @@ void test_face_range(const std::string& name, const TriangleMesh& input, const F
         range.insert(f);
     const Rest<TriangleMesh> rest(mesh, range);
     const std::size_t wanted = std::size_t(factor * double(range.size()));
-    CGAL::anisotropic_hde_remeshing<Tag>(range, mesh, function,
-                                         CGAL::parameters::relative_sigma(0.03).number_of_target_faces(wanted));
+    CGAL::anisotropic_hde_remeshing<Tag>(range, mesh, function, params::relative_sigma(0.03).number_of_target_faces(wanted));
     rest.check(mesh);
     check_validity(name + ", " + std::to_string(wanted) + " of " + std::to_string(num_faces(input)), input, mesh, function);
     const double count = double(number_of_faces_of(mesh)) - double(rest.faces.size());
@@ -146,22 +146,21 @@ void test_odd_face_ranges()
       if (++k % 3 != 0) // two pairs
         range.insert(mesh.face(h));
     const Rest<Mesh> rest(mesh, range);
-    CGAL::anisotropic_hde_remeshing<Tag>(range, mesh, Ellipsoid_function(), CGAL::parameters::number_of_target_faces(60));
+    CGAL::anisotropic_hde_remeshing<Tag>(range, mesh, Ellipsoid_function(), params::number_of_target_faces(60));
     rest.check(mesh);
     check_validity("faces about a vertex", input, mesh, Ellipsoid_function());
     CHECK(mesh.number_of_faces() > input.number_of_faces());
   }
   {
     Mesh mesh = input;
-    CGAL::anisotropic_hde_remeshing<Tag>(faces(mesh), mesh, Ellipsoid_function(),
-                                         CGAL::parameters::number_of_target_faces(1000));
+    CGAL::anisotropic_hde_remeshing<Tag>(faces(mesh), mesh, Ellipsoid_function(), params::number_of_target_faces(1000));
     check_validity("all faces", input, mesh, Ellipsoid_function());
     check_number_of_faces(mesh, 1000);
   }
   {
     Mesh mesh = input;
     const std::vector<Mesh::Face_index> one(3, Mesh::Face_index(7)); // three times
-    CGAL::anisotropic_hde_remeshing<Tag>(one, mesh, Ellipsoid_function(), CGAL::parameters::number_of_target_faces(1));
+    CGAL::anisotropic_hde_remeshing<Tag>(one, mesh, Ellipsoid_function(), params::number_of_target_faces(1));
     CHECK(mesh.number_of_faces() == input.number_of_faces()); // its edges are those of its neighbours
     check_validity("one face", input, mesh, Ellipsoid_function());
   }
@@ -174,7 +173,7 @@ void test_odd_face_ranges()
   {
     Mesh mesh = input;
     const std::vector<Mesh::Face_index> some(mesh.faces().begin(), mesh.faces().begin() + 100);
-    CGAL::anisotropic_hde_remeshing<Tag>(some, mesh, CGAL::parameters::number_of_target_faces(400)); // the one call
+    CGAL::anisotropic_hde_remeshing<Tag>(some, mesh, params::number_of_target_faces(400)); // the one call
     CHECK(CGAL::is_valid_polygon_mesh(mesh));
     CHECK(mesh.number_of_faces() > input.number_of_faces() + 200);
   }
@@ -212,7 +211,7 @@ void test_constrained_edges()
     auto is_constrained = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_constrained", false).first;
     mark_lines(mesh, is_constrained);
     const Polyline before = constrained_edges(mesh, is_constrained);
-    const auto np = CGAL::parameters::relative_sigma(0.02).number_of_target_faces(number_of_faces);
+    const auto np = params::relative_sigma(0.02).number_of_target_faces(number_of_faces);
     CGAL::anisotropic_hde_remeshing<Tag>(mesh, Hills_function(), np.edge_is_constrained_map(is_constrained));
     const Polyline after = constrained_edges(mesh, is_constrained);
     std::cout << "constrained edges: " << before.size() << " -> " << after.size() << ", length " << length(before) << " -> "
@@ -250,7 +249,7 @@ void test_protected_edges()
       if (is_constrained[e] || mesh.is_border(e))
         kept.emplace(e, segment<Mesh>(e, mesh));
     CGAL::anisotropic_hde_remeshing<Tag>(mesh, Hills_function(),
-                                         CGAL::parameters::relative_sigma(0.02)
+                                         params::relative_sigma(0.02)
                                              .number_of_target_faces(number_of_faces)
                                              .edge_is_constrained_map(is_constrained)
                                              .protect_constraints(true));
@@ -285,8 +284,7 @@ void test_constrained_vertices()
         kept.emplace(v, mesh.point(v));
       }
     CGAL::anisotropic_hde_remeshing<Tag>(
-        mesh, Ellipsoid_function(),
-        CGAL::parameters::number_of_target_faces(number_of_faces).vertex_is_constrained_map(is_constrained));
+        mesh, Ellipsoid_function(), params::number_of_target_faces(number_of_faces).vertex_is_constrained_map(is_constrained));
     CHECK(CGAL::is_valid_polygon_mesh(mesh));
     CHECK(CGAL::is_closed(mesh));
     std::size_t number_of_kept = 0, number_of_marked = 0;
@@ -334,8 +332,7 @@ void test_patches(const std::string& name, TriangleMesh& mesh, const PatchMap pa
   const std::map<std::string, double> areas_before = patch_areas(mesh, patch);
   const TriangleMesh input = mesh;
   CGAL::anisotropic_hde_remeshing<Tag>(
-      mesh, Ellipsoid_function(),
-      CGAL::parameters::relative_sigma(0.05).number_of_target_faces(number_of_faces).face_patch_map(patch));
+      mesh, Ellipsoid_function(), params::relative_sigma(0.05).number_of_target_faces(number_of_faces).face_patch_map(patch));
   CHECK(CGAL::is_valid_polygon_mesh(mesh));
   CHECK(CGAL::is_closed(mesh));
   check_number_of_faces(mesh, number_of_faces);
@@ -378,7 +375,7 @@ void test_small_loops()
     CGAL::Euler::remove_face(mesh.halfedge(f), mesh);
   mesh.collect_garbage();
   const Mesh input = mesh;
-  CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(), CGAL::parameters::number_of_target_faces(100));
+  CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(), params::number_of_target_faces(100));
   check_validity("small hole", input, mesh, Ellipsoid_function());
   Polyline before, after;
   for (const Mesh::Edge_index e : input.edges())

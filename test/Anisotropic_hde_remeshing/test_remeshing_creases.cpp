@@ -32,6 +32,7 @@ using namespace crease_checks;
 using namespace remeshing_checks;
 
 namespace PMP = CGAL::Polygon_mesh_processing;
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
 
 // --- remeshing ---
 
@@ -50,7 +51,7 @@ Remeshing<AnyFunction> remesh_on(const AnyFunction& function, const Mesh& mesh, 
 {
   Remeshing<AnyFunction> r{mesh, mesh, function, {}};
   r.result = CGAL::anisotropic_hde_remeshing<Tag>(r.after, function,
-                                                  CGAL::parameters::number_of_target_faces(faces)
+                                                  params::number_of_target_faces(faces)
                                                       .relative_sigma(sigma)
                                                       .face_patch_map(regions_of(r.after))
                                                       .edge_is_constrained_map(creases_of(r.after))
@@ -70,7 +71,7 @@ Hde::Remeshing_result remesh_at_once(Mesh& mesh, const double angle, const std::
                                      const Limited_visitor& visitor = Limited_visitor(),
                                      const std::vector<Mesh::Face_index>& range = {})
 {
-  const auto np = CGAL::parameters::sharp_angle(angle)
+  const auto np = params::sharp_angle(angle)
                       .number_of_target_faces(faces)
                       .relative_sigma(sigma)
                       .edge_is_constrained_map(creases_of(mesh))
@@ -482,9 +483,7 @@ void test_protected_creases()
   detect(marked, 30);
   const auto is_crease = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_crease", false).first;
   CGAL::anisotropic_hde_remeshing<Tag>(
-      mesh,
-      CGAL::parameters::sharp_angle(30).number_of_target_faces(1500).edge_is_constrained_map(is_crease).protect_constraints(
-          true));
+      mesh, params::sharp_angle(30).number_of_target_faces(1500).edge_is_constrained_map(is_crease).protect_constraints(true));
   std::size_t number = 0;
   for (const Mesh::Edge_index e : input.edges())
     if (creases_of(marked)[e])
@@ -580,11 +579,9 @@ void test_bad_input()
   const std::uint64_t before = digest(mesh);
   const auto call = [&]
   {
-    CGAL::anisotropic_hde_remeshing<Tag>(mesh, Can_function(),
-                                         CGAL::parameters::number_of_target_faces(100)
-                                             .relative_sigma(0.1)
-                                             .face_patch_map(regions_of(mesh))
-                                             .visitor(Limited_visitor()));
+    CGAL::anisotropic_hde_remeshing<Tag>(
+        mesh, Can_function(),
+        params::number_of_target_faces(100).relative_sigma(0.1).face_patch_map(regions_of(mesh)).visitor(Limited_visitor()));
   };
   CHECK(contains(invalid_argument_message(call), "face_patch_map"));
   CHECK(digest(mesh) == before);

@@ -23,6 +23,8 @@
 using namespace shapes;
 using namespace remeshing_checks;
 
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
+
 typedef CGAL::Parallel_if_available_tag Tag;
 
 const double infinity = std::numeric_limits<double>::infinity();
@@ -98,7 +100,7 @@ void test_bad_geometry()
     {
       Mesh mesh = input;
       CGAL::anisotropic_hde_remeshing<Tag>(
-          mesh, CGAL::parameters::number_of_target_faces(std::size_t(factor * double(input.number_of_faces()))));
+          mesh, params::number_of_target_faces(std::size_t(factor * double(input.number_of_faces()))));
       CHECK(CGAL::is_valid_polygon_mesh(mesh));
       CHECK(CGAL::is_triangle_mesh(mesh));
       const Hde::Topology_measures before = Hde::measure_topology(input), after = Hde::measure_topology(mesh);
@@ -144,7 +146,7 @@ void test_bad_geometry()
 
 void test_invalid_parameters()
 {
-  using namespace CGAL::parameters;
+  using namespace CGAL::Anisotropic_hde_remeshing::parameters;
   const Mesh mesh = icosphere(1);
   for (const double bad : {-1., nan_value, infinity})
   {
@@ -183,7 +185,7 @@ void test_invalid_parameters()
 // parameters at the edge of sense are no errors, and what comes out is valid
 void test_extreme_parameters()
 {
-  using namespace CGAL::parameters;
+  using namespace CGAL::Anisotropic_hde_remeshing::parameters;
   const Mesh input = ellipsoid(2);
   const auto remesh = [&](const std::string& name, const auto& np)
   {
@@ -204,7 +206,7 @@ void test_extreme_parameters()
 // without an iteration the vertices are projected, whatever error is asked for
 void test_no_iterations()
 {
-  using namespace CGAL::parameters;
+  using namespace CGAL::Anisotropic_hde_remeshing::parameters;
   const Mesh input = ellipsoid(2);
   const double D = bounding_box_diagonal(input);
   const auto remesh = [&](const double relative_error)
@@ -241,7 +243,7 @@ void test_size_limits()
   // before anything is computed
   Mesh mesh = icosphere(1);
   CHECK_THROWS(CGAL::anisotropic_hde_remeshing<Tag>(mesh, Sphere_function(),
-                                                    CGAL::parameters::number_of_target_faces(300000000).fit_to_surface(true)),
+                                                    params::number_of_target_faces(300000000).fit_to_surface(true)),
                std::length_error);
   CHECK(digest(mesh) == digest(icosphere(1)));
 }
@@ -268,7 +270,7 @@ void test_warnings()
   const std::size_t n = mesh.number_of_faces();
   auto is_constrained = mesh.add_property_map<Mesh::Vertex_index, bool>("v:is_constrained", true).first;
   result = CGAL::anisotropic_hde_remeshing<Tag>(
-      mesh, Ellipsoid_function(), CGAL::parameters::number_of_target_faces(n / 2).vertex_is_constrained_map(is_constrained));
+      mesh, Ellipsoid_function(), params::number_of_target_faces(n / 2).vertex_is_constrained_map(is_constrained));
   CHECK(result.number_of_target_faces == n / 2);
   CHECK(result.number_of_faces == number_of_faces_of(mesh));
   CHECK(result.misses_number_of_faces());
@@ -277,9 +279,9 @@ void test_warnings()
   // a needle that cannot go: two of its vertices are constrained
   Mesh needle;
   CGAL::make_triangle(Point_3(1, 0, 0), Point_3(1, 1e-5, 0), Point_3(0, 0, 1), needle);
-  result = CGAL::anisotropic_hde_remeshing<Tag>(needle, Sphere_function(),
-                                                CGAL::parameters::number_of_iterations(0).vertex_is_constrained_map(
-                                                    CGAL::Static_boolean_property_map<Mesh::Vertex_index, true>()));
+  result = CGAL::anisotropic_hde_remeshing<Tag>(
+      needle, Sphere_function(),
+      params::number_of_iterations(0).vertex_is_constrained_map(CGAL::Static_boolean_property_map<Mesh::Vertex_index, true>()));
   CHECK(result.number_of_faces == 1 && result.number_of_needles == 1);
   CHECK(result.warnings().size() == 1 && contains(result.warnings().front(), "1 of 1 faces are needles"));
 }
@@ -327,7 +329,7 @@ void check_survival(const char* name, const Function& function)
   Hde::Remeshing_result result;
   try
   {
-    result = CGAL::anisotropic_hde_remeshing<Tag>(mesh, function, CGAL::parameters::number_of_target_faces(2000));
+    result = CGAL::anisotropic_hde_remeshing<Tag>(mesh, function, params::number_of_target_faces(2000));
   }
   catch (const std::exception& error)
   {

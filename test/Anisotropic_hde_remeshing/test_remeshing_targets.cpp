@@ -23,6 +23,7 @@ using namespace shapes;
 using namespace remeshing_checks;
 
 namespace PMP = CGAL::Polygon_mesh_processing;
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
 
 typedef CGAL::Parallel_if_available_tag Tag;
 typedef CGAL::Aff_transformation_3<Kernel> Transformation;
@@ -42,8 +43,7 @@ void test_numbers_of_faces(const std::string& name, const Mesh& input, const dou
   {
     Mesh mesh = input;
     const std::size_t wanted = std::size_t(factor * double(input.number_of_faces()));
-    CGAL::anisotropic_hde_remeshing<Tag>(mesh, function,
-                                         CGAL::parameters::relative_sigma(relative_sigma).number_of_target_faces(wanted));
+    CGAL::anisotropic_hde_remeshing<Tag>(mesh, function, params::relative_sigma(relative_sigma).number_of_target_faces(wanted));
     std::cout << name << ": asked " << wanted << ", got " << mesh.number_of_faces() << std::endl;
     CHECK_CLOSE(mesh.number_of_faces(), wanted, 0.01 * double(wanted));
     CHECK(CGAL::is_valid_polygon_mesh(mesh));
@@ -59,14 +59,14 @@ void test_lengths()
   {
     Mesh mesh = input;
     const Hde::Remeshing_result by_number = CGAL::anisotropic_hde_remeshing<Tag>(
-        mesh, Ellipsoid_function(), CGAL::parameters::relative_sigma(0.05).number_of_target_faces(number_of_faces));
+        mesh, Ellipsoid_function(), params::relative_sigma(0.05).number_of_target_faces(number_of_faces));
     CHECK_CLOSE(by_number.sigma, 0.05 * diagonal, 1e-12);
     Mesh absolute = input, relative = input;
     const double length = by_number.target_edge_length;
     CGAL::anisotropic_hde_remeshing<Tag>(absolute, Ellipsoid_function(),
-                                         CGAL::parameters::sigma(0.05 * diagonal).target_edge_length(length));
+                                         params::sigma(0.05 * diagonal).target_edge_length(length));
     const Hde::Remeshing_result result = CGAL::anisotropic_hde_remeshing<Tag>(
-        relative, Ellipsoid_function(), CGAL::parameters::relative_sigma(0.05).relative_target_edge_length(length / diagonal));
+        relative, Ellipsoid_function(), params::relative_sigma(0.05).relative_target_edge_length(length / diagonal));
     CHECK_CLOSE(absolute.number_of_faces(), number_of_faces, 0.02 * double(number_of_faces));
     CHECK_CLOSE(relative.number_of_faces(), number_of_faces, 0.02 * double(number_of_faces));
     CHECK_CLOSE(result.target_edge_length, length, 1e-12 * length);
@@ -95,12 +95,11 @@ Figures remeshed(Mesh mesh, const Transformation& transformation, const double f
   PMP::transform(transformation, mesh);
   const CGAL::Rbf_implicit_function<Kernel, CGAL::Polyharmonic_rbf, Tag> function(mesh);
   const std::size_t wanted = std::size_t(factor * double(num_faces(mesh)));
-  const Hde::Remeshing_result result = CGAL::anisotropic_hde_remeshing<Tag>(
-      mesh, function, CGAL::parameters::relative_sigma(0.02).number_of_target_faces(wanted));
+  const Hde::Remeshing_result result =
+      CGAL::anisotropic_hde_remeshing<Tag>(mesh, function, params::relative_sigma(0.02).number_of_target_faces(wanted));
   CHECK(CGAL::is_valid_polygon_mesh(mesh));
   return {wanted, mesh.number_of_faces(),
-          Hde::measure_embedding(mesh, function,
-                                 CGAL::parameters::sigma(result.sigma).target_edge_length(result.target_edge_length)),
+          Hde::measure_embedding(mesh, function, params::sigma(result.sigma).target_edge_length(result.target_edge_length)),
           connectivity(mesh)};
 }
 

@@ -28,6 +28,8 @@
 using namespace shapes;
 using namespace remeshing_checks;
 
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
+
 typedef CGAL::Simple_cartesian<double> Cartesian;
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Epick;
 typedef CGAL::Exact_predicates_exact_constructions_kernel Epeck;
@@ -83,8 +85,7 @@ void test_type(const std::string& name, std::uint64_t& expected)
 {
   TriangleMesh mesh = input<TriangleMesh>();
   const Mesh before = to_plain_mesh(mesh, get(CGAL::vertex_point, mesh));
-  const auto result =
-      CGAL::anisotropic_hde_remeshing<Tag>(mesh, CGAL::parameters::relative_sigma(0.05).number_of_target_faces(1000));
+  const auto result = CGAL::anisotropic_hde_remeshing<Tag>(mesh, params::relative_sigma(0.05).number_of_target_faces(1000));
   CHECK(result.number_of_iterations == 10);
   CHECK(CGAL::is_valid_polygon_mesh(mesh));
   const Mesh after = to_plain_mesh(mesh, get(CGAL::vertex_point, mesh));
@@ -108,8 +109,8 @@ void test_external_points(const std::string& name, const std::uint64_t expected)
     points.emplace(v, Cartesian::Point_3(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())));
   }
   const boost::associative_property_map<std::map<Vertex, Cartesian::Point_3>> point_map(points);
-  CGAL::anisotropic_hde_remeshing<Tag>(
-      mesh, CGAL::parameters::relative_sigma(0.05).number_of_target_faces(1000).vertex_point_map(point_map));
+  CGAL::anisotropic_hde_remeshing<Tag>(mesh,
+                                       params::relative_sigma(0.05).number_of_target_faces(1000).vertex_point_map(point_map));
   CHECK(CGAL::is_valid_polygon_mesh(mesh));
   std::cout << name << std::endl;
   CHECK(digest(to_plain_mesh(mesh, point_map)) == expected);
@@ -121,7 +122,7 @@ void test_own_function_with_exact_points()
   typedef CGAL::Surface_mesh<Epeck::Point_3> Exact_mesh;
   Exact_mesh mesh = input<Exact_mesh>();
   const Mesh before = to_plain_mesh(mesh, mesh.points());
-  CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(), CGAL::parameters::number_of_target_faces(700));
+  CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(), params::number_of_target_faces(700));
   check_validity("own function, exact points", before, to_plain_mesh(mesh, mesh.points()), Ellipsoid_function());
 }
 

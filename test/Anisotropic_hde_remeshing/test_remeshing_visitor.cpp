@@ -23,6 +23,8 @@
 using namespace shapes;
 using namespace remeshing_checks;
 
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
+
 typedef CGAL::Parallel_if_available_tag Tag;
 typedef CGAL::Rbf_implicit_function<Kernel, CGAL::Polyharmonic_rbf, Tag> Rbf_function;
 
@@ -62,7 +64,7 @@ void test_visitor()
   const Mesh input = ellipsoid(3);
   Record record;
   Mesh mesh = input;
-  CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(), CGAL::parameters::visitor(Recording_visitor(record)));
+  CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(), params::visitor(Recording_visitor(record)));
   check_record(record, true);
   CHECK(record.stages == std::vector<Hde::Stage>({Hde::Stage::PROJECTION, Hde::Stage::REMESHING, Hde::Stage::OUTPUT}));
   CHECK(record.shares.size() >= 10);
@@ -70,7 +72,7 @@ void test_visitor()
 
   Record of_one_call;
   mesh = input;
-  CGAL::anisotropic_hde_remeshing<Tag>(mesh, CGAL::parameters::visitor(Recording_visitor(of_one_call)));
+  CGAL::anisotropic_hde_remeshing<Tag>(mesh, params::visitor(Recording_visitor(of_one_call)));
   check_record(of_one_call, true);
   CHECK(of_one_call.stages == std::vector<Hde::Stage>({Hde::Stage::IMPLICIT_FUNCTION, Hde::Stage::PROJECTION,
                                                        Hde::Stage::REMESHING, Hde::Stage::OUTPUT}));
@@ -98,7 +100,7 @@ void test_visitor_by_reference()
   };
   Counting_visitor visitor;
   Mesh mesh = ellipsoid(2);
-  CGAL::anisotropic_hde_remeshing<Tag>(mesh, CGAL::parameters::visitor(std::ref(visitor)).number_of_iterations(1));
+  CGAL::anisotropic_hde_remeshing<Tag>(mesh, params::visitor(std::ref(visitor)).number_of_iterations(1));
   CHECK(visitor.stages == 4);
   CHECK(visitor.questions >= 10);
 }
@@ -113,7 +115,7 @@ void test_stopping()
     visitor.largest_number_of_questions = questions;
     Mesh mesh = input;
     const Hde::Remeshing_result result = CGAL::anisotropic_hde_remeshing<Tag>(
-        mesh, Ellipsoid_function(), CGAL::parameters::visitor(visitor).sigma(1).number_of_target_faces(4000));
+        mesh, Ellipsoid_function(), params::visitor(visitor).sigma(1).number_of_target_faces(4000));
     CHECK(result.was_stopped);
     CHECK(record.questions <= questions + 1); // asked no more after the answer
     check_record(record, false);
@@ -156,7 +158,7 @@ void test_throwing_visitor()
 {
   const Mesh input = ellipsoid(3);
   const auto remesh = [](Mesh& mesh, const Throwing_visitor& visitor)
-  { CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(), CGAL::parameters::visitor(visitor)); };
+  { CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(), params::visitor(visitor)); };
   const auto check = [&](const std::size_t n, const bool counts_questions)
   {
     Mesh mesh = input;
@@ -235,7 +237,7 @@ void test_latency(const std::string& name, const Mesh& input, const Function& fu
       CHECK(CGAL::is_valid_polygon_mesh(mesh));
       CHECK(CGAL::is_closed(mesh));
       const Hde::Zero_set_measures distance =
-          Hde::measure_distance_to_zero_set<Tag>(mesh, function, CGAL::parameters::number_of_points_on_faces(1000));
+          Hde::measure_distance_to_zero_set<Tag>(mesh, function, params::number_of_points_on_faces(1000));
       CHECK(distance.interior_vertex_max <= 1e-9 * bounding_box_diagonal(input));
       CHECK(Hde::measure_embedding<Tag>(mesh, function).number_of_folded_faces == 0);
     }
@@ -250,21 +252,19 @@ void test_latency(const std::string& name, const Mesh& input, const Function& fu
 
 void test_latencies()
 {
-  test_latency(
-      "own function", ellipsoid(7), Ellipsoid_function(), // 327,680 faces
-      [](Mesh& mesh, const Late_visitor& visitor)
-      {
-        return CGAL::anisotropic_hde_remeshing<Tag>(
-            mesh, Ellipsoid_function(),
-            CGAL::parameters::relative_sigma(0.05).number_of_target_faces(300000).number_of_iterations(3).visitor(visitor));
-      });
+  test_latency("own function", ellipsoid(7), Ellipsoid_function(), // 327,680 faces
+               [](Mesh& mesh, const Late_visitor& visitor)
+               {
+                 return CGAL::anisotropic_hde_remeshing<Tag>(
+                     mesh, Ellipsoid_function(),
+                     params::relative_sigma(0.05).number_of_target_faces(300000).number_of_iterations(3).visitor(visitor));
+               });
   const Mesh input = ellipsoid(6);
   test_latency("radial basis functions", input, Rbf_function(input),
                [](Mesh& mesh, const Late_visitor& visitor)
                {
                  return CGAL::anisotropic_hde_remeshing<Tag>(
-                     mesh, CGAL::parameters::relative_sigma(0.05).number_of_target_faces(80000).number_of_iterations(3).visitor(
-                               visitor));
+                     mesh, params::relative_sigma(0.05).number_of_target_faces(80000).number_of_iterations(3).visitor(visitor));
                });
 }
 
@@ -275,7 +275,7 @@ void test_interrupted_function()
   {
     bool go_further() { return false; }
   };
-  CHECK_THROWS(Rbf_function(ellipsoid(5), CGAL::parameters::visitor(Stopping_visitor())), Hde::Interrupted);
+  CHECK_THROWS(Rbf_function(ellipsoid(5), params::visitor(Stopping_visitor())), Hde::Interrupted);
 }
 
 int main()

@@ -25,6 +25,7 @@
 #include <vector>
 
 namespace Hde = CGAL::Anisotropic_hde_remeshing;
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
 using Hde::internal::Indexed_triangle;
 using Hde::internal::Vector;
 using shapes::Mesh;
@@ -117,7 +118,7 @@ void test_sheets()
     for (const double factor : {0.3, 1., 3.})
     {
       const auto np =
-          CGAL::parameters::relative_sigma(0.02).number_of_target_faces(std::size_t(factor * double(input.number_of_faces())));
+          params::relative_sigma(0.02).number_of_target_faces(std::size_t(factor * double(input.number_of_faces())));
       Mesh mesh = input, tested = input, again = input;
       CGAL::anisotropic_hde_remeshing<CGAL::Parallel_if_available_tag>(mesh, function, np);
       CGAL::anisotropic_hde_remeshing<CGAL::Parallel_if_available_tag>(tested, function, np.do_self_intersection_tests(true));
@@ -142,7 +143,7 @@ void test_off()
   const Mesh input = shapes::ellipsoid(3);
   Mesh mesh = input, off = input;
   CGAL::anisotropic_hde_remeshing(mesh, shapes::Ellipsoid_function());
-  CGAL::anisotropic_hde_remeshing(off, shapes::Ellipsoid_function(), CGAL::parameters::do_self_intersection_tests(false));
+  CGAL::anisotropic_hde_remeshing(off, shapes::Ellipsoid_function(), params::do_self_intersection_tests(false));
   CHECK(remeshing_checks::digest(mesh) == remeshing_checks::digest(off));
 }
 
@@ -159,7 +160,7 @@ void test_obstacles()
   {
     Mesh mesh = input;
     const Hde::Remeshing_result result = CGAL::anisotropic_hde_remeshing<CGAL::Parallel_if_available_tag>(
-        first, mesh, larger_sphere, CGAL::parameters::do_self_intersection_tests(has_tests));
+        first, mesh, larger_sphere, params::do_self_intersection_tests(has_tests));
     const std::size_t number = promises::number_of_self_intersections(mesh);
     std::cout << "spheres that would cross, " << (has_tests ? "tested: " : "") << number << " pairs intersect, "
               << result.number_of_unprojected_vertices << " vertices stay off the surface" << std::endl;

@@ -25,6 +25,8 @@
 #include <string>
 #include <vector>
 
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
+
 typedef CGAL::Simple_cartesian<double> Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 
@@ -57,7 +59,7 @@ int main()
 {
   Mesh mesh;
   CGAL::make_icosahedron(mesh, Kernel::Point_3(0, 0, 0), 1);
-  CGAL::anisotropic_hde_remeshing(mesh, Sphere(), CGAL::parameters::number_of_target_faces(200).number_of_iterations(2));
+  CGAL::anisotropic_hde_remeshing(mesh, Sphere(), params::number_of_target_faces(200).number_of_iterations(2));
 
   const std::string beginning = CGAL_AHR_WRITE_STAGES;
   const std::vector<std::string> names = {"000_input", "001_projected",  "002_split",    "003_contracted", "004_smoothed",

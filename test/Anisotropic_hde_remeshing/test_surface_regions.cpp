@@ -28,9 +28,11 @@
 #include <vector>
 
 using namespace shapes;
+
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
 using CGAL::Anisotropic_hde_remeshing::detect_surface_regions;
 using CGAL::Anisotropic_hde_remeshing::Surface_regions;
-using CGAL::parameters::sharp_angle;
+using params::sharp_angle;
 
 struct Found
 {
@@ -144,7 +146,7 @@ void test_creases_of_caller()
   for (const Mesh::Edge_index e : sphere.edges())
     is_constrained[e] = (sphere.point(sphere.vertex(e, 0)).z() > 0.3) != (sphere.point(sphere.vertex(e, 1)).z() > 0.3);
   // the edges across a strip are an open network of darts and triangles
-  Found found = detect(sphere, CGAL::parameters::edge_is_constrained_map(is_constrained));
+  Found found = detect(sphere, params::edge_is_constrained_map(is_constrained));
   CHECK(found.counts.number_of_dropped_edges == 0);
   for (const Mesh::Edge_index e : sphere.edges())
     CHECK(found.is_crease[e] == is_constrained[e]);
@@ -153,7 +155,7 @@ void test_creases_of_caller()
   auto patch = sphere.add_property_map<Mesh::Face_index, int>("f:patch", 7).first;
   for (const Mesh::Face_index f : sphere.faces())
     patch[f] = sphere.point(sphere.target(sphere.halfedge(f))).z() > 0.5 ? 7 : -7;
-  found = detect(sphere, CGAL::parameters::face_patch_map(patch).sharp_angle(60));
+  found = detect(sphere, params::face_patch_map(patch).sharp_angle(60));
   CHECK(found.counts.number_of_regions == 2);
   for (const Mesh::Edge_index e : sphere.edges())
     is_constrained[e] = found.is_crease[e];
@@ -161,19 +163,18 @@ void test_creases_of_caller()
   while (is_constrained[Mesh::Edge_index(Mesh::size_type(i))])
     ++i;
   is_constrained[Mesh::Edge_index(Mesh::size_type(i))] = true;
-  const Found by_edges = detect(sphere, CGAL::parameters::edge_is_constrained_map(is_constrained).sharp_angle(60));
+  const Found by_edges = detect(sphere, params::edge_is_constrained_map(is_constrained).sharp_angle(60));
   CHECK(by_edges.counts.number_of_regions == 2);
   CHECK(by_edges.counts.number_of_crease_edges == found.counts.number_of_crease_edges + 1);
 
   // the maps may be those of the result
-  detect_surface_regions(sphere, is_constrained, patch,
-                         CGAL::parameters::edge_is_constrained_map(is_constrained).face_patch_map(patch));
+  detect_surface_regions(sphere, is_constrained, patch, params::edge_is_constrained_map(is_constrained).face_patch_map(patch));
   for (const Mesh::Face_index f : sphere.faces())
     CHECK(std::size_t(patch[f]) == by_edges.regions[f]);
 
   for (const Mesh::Edge_index e : sphere.edges())
     is_constrained[e] = true;
-  CHECK(detect(sphere, CGAL::parameters::edge_is_constrained_map(is_constrained).sharp_angle(10)).counts.number_of_regions ==
+  CHECK(detect(sphere, params::edge_is_constrained_map(is_constrained).sharp_angle(10)).counts.number_of_regions ==
         sphere.number_of_faces());
   CHECK(detect(sphere, CGAL::parameters::default_values()).counts.number_of_regions == 1);
   CHECK(detect(cube(2), CGAL::parameters::default_values()).counts.number_of_regions == 1);

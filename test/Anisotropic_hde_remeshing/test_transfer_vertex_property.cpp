@@ -25,6 +25,8 @@
 using namespace shapes;
 using namespace remeshing_checks;
 
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
+
 typedef CGAL::Parallel_if_available_tag Tag;
 typedef CGAL::Polyhedron_3<Kernel> Polyhedron;
 
@@ -74,7 +76,7 @@ void test_surface_mesh()
     auto locations = mesh.add_property_map<Mesh::Vertex_index, Hde::Input_location>("v:location").first;
     CGAL::anisotropic_hde_remeshing<Tag>(
         mesh, Ellipsoid_function(),
-        CGAL::parameters::relative_sigma(0.05).number_of_target_faces(number_of_faces).vertex_location_map(locations));
+        params::relative_sigma(0.05).number_of_target_faces(number_of_faces).vertex_location_map(locations));
     check_locations(input, mesh, locations);
   }
 }
@@ -85,7 +87,7 @@ void test_polyhedron()
   const Polyhedron input = mesh; // copy_face_graph() would change the order of its elements
   const auto locations = get(CGAL::dynamic_vertex_property_t<Hde::Input_location>(), mesh);
   CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(),
-                                       CGAL::parameters::number_of_target_faces(3000).vertex_location_map(locations));
+                                       params::number_of_target_faces(3000).vertex_location_map(locations));
   check_locations(input, mesh, locations);
 }
 
@@ -100,7 +102,7 @@ void test_face_range()
       range.push_back(f);
   auto locations = mesh.add_property_map<Mesh::Vertex_index, Hde::Input_location>("v:location").first;
   CGAL::anisotropic_hde_remeshing<Tag>(range, mesh, Ellipsoid_function(),
-                                       CGAL::parameters::number_of_target_faces(3000).vertex_location_map(locations));
+                                       params::number_of_target_faces(3000).vertex_location_map(locations));
   double farthest = 0;
   std::size_t number_of_located = 0;
   const auto foot = mesh.add_property_map<Mesh::Vertex_index, Point_3>("v:foot").first;

@@ -26,6 +26,7 @@
 #include <vector>
 
 namespace Hde = CGAL::Anisotropic_hde_remeshing;
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
 
 typedef CGAL::Parallel_if_available_tag Tag;
 
@@ -72,7 +73,7 @@ Measurement measure(const Case& c, const double isotropic_length, const int numb
     function_seconds.push_back(timer.time());
     timer.reset();
     const Hde::Remeshing_result result = CGAL::anisotropic_hde_remeshing<Tag>(
-        mesh, function, CGAL::parameters::sigma(sigma).number_of_target_faces(c.number_of_target_faces));
+        mesh, function, params::sigma(sigma).number_of_target_faces(c.number_of_target_faces));
     remeshing_seconds.push_back(timer.time());
     m.megabytes = (std::max)(m.megabytes, memory.megabytes());
 
@@ -83,8 +84,8 @@ Measurement measure(const Case& c, const double isotropic_length, const int numb
       continue;
     m.number_of_faces = mesh.number_of_faces();
     m.isotropic_faces = isotropic.number_of_faces();
-    m.embedding = Hde::measure_embedding<Tag>(mesh, function,
-                                              CGAL::parameters::sigma(sigma).target_edge_length(result.target_edge_length));
+    m.embedding =
+        Hde::measure_embedding<Tag>(mesh, function, params::sigma(sigma).target_edge_length(result.target_edge_length));
     const double diagonal = shapes::bounding_box_diagonal(c.input);
     m.relative_rms = Hde::measure_distance_to_zero_set<Tag>(mesh, function).face_rms / diagonal;
     m.isotropic_rms = Hde::measure_distance_to_zero_set<Tag>(isotropic, function).face_rms / diagonal;

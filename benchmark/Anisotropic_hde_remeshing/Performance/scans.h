@@ -24,6 +24,8 @@
 #include <stdexcept>
 #include <string>
 
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
+
 typedef CGAL::Rbf_implicit_function<shapes::Kernel, CGAL::Polyharmonic_rbf, CGAL::Parallel_if_available_tag> Rbf_function;
 
 inline shapes::Mesh read_scan(const std::string& file)
@@ -41,10 +43,10 @@ inline shapes::Mesh read_scan(const std::string& file)
 inline shapes::Mesh resampled_scan(const shapes::Mesh& scan, const Rbf_function& function, const std::size_t number_of_faces)
 {
   shapes::Mesh mesh = scan;
-  CGAL::anisotropic_hde_remeshing<CGAL::Parallel_if_available_tag>(
-      mesh, function, CGAL::parameters::number_of_target_faces(number_of_faces / 16));
+  CGAL::anisotropic_hde_remeshing<CGAL::Parallel_if_available_tag>(mesh, function,
+                                                                   params::number_of_target_faces(number_of_faces / 16));
   CGAL::Subdivision_method_3::Loop_subdivision(mesh, CGAL::parameters::number_of_iterations(2));
-  CGAL::anisotropic_hde_remeshing<CGAL::Parallel_if_available_tag>(mesh, function, CGAL::parameters::number_of_iterations(0));
+  CGAL::anisotropic_hde_remeshing<CGAL::Parallel_if_available_tag>(mesh, function, params::number_of_iterations(0));
   return mesh;
 }
 

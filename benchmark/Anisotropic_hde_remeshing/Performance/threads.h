@@ -51,7 +51,7 @@ inline Stage_seconds best_stages(const Case& c, const std::size_t threads, shape
   {
     mesh = c.input;
     const Stage_seconds stages = stages_of(CGAL::anisotropic_hde_remeshing<Tag>(
-        mesh, CGAL::parameters::relative_sigma(c.relative_sigma).number_of_target_faces(c.number_of_target_faces)));
+        mesh, params::relative_sigma(c.relative_sigma).number_of_target_faces(c.number_of_target_faces)));
     if (best.empty())
       best = stages;
     for (std::size_t k = 0; k < stages.size(); ++k)

@@ -46,6 +46,7 @@ using namespace shapes;
 
 namespace Hde = CGAL::Anisotropic_hde_remeshing;
 namespace PMP = CGAL::Polygon_mesh_processing;
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
 
 typedef CGAL::Parallel_if_available_tag Tag;
 typedef Mesh::Property_map<Mesh::Edge_index, bool> Crease_map;
@@ -83,7 +84,7 @@ Hde::Remeshing_result remesh(Mesh& mesh, const Function& function, const Crease_
   const auto run = [&](const auto& embedding)
   {
     return CGAL::anisotropic_hde_remeshing<Tag>(mesh, function,
-                                                CGAL::parameters::embedding(embedding)
+                                                params::embedding(embedding)
                                                     .face_patch_map(regions)
                                                     .edge_is_constrained_map(creases)
                                                     .number_of_target_faces(faces)
@@ -113,8 +114,8 @@ Run run_with_one_function(const Mesh& input, const std::size_t faces, const doub
       [&]
       {
         const CGAL::Rbf_implicit_function<Kernel, CGAL::Polyharmonic_rbf, Tag> function(run.mesh);
-        run.result = CGAL::anisotropic_hde_remeshing<Tag>(
-            run.mesh, function, CGAL::parameters::relative_sigma(relative_sigma).number_of_target_faces(faces));
+        run.result = CGAL::anisotropic_hde_remeshing<Tag>(run.mesh, function,
+                                                          params::relative_sigma(relative_sigma).number_of_target_faces(faces));
         run.zero_set = Hde::measure_distance_to_zero_set<Tag>(run.mesh, function).face_rms;
       });
   return run;
@@ -126,8 +127,7 @@ Run run_with_regions(const Mesh& input, const double angle, const std::size_t fa
   run.mesh = input;
   const Crease_map creases = run.mesh.add_property_map<Mesh::Edge_index, bool>("e:crease", false).first;
   const Region_map regions = run.mesh.add_property_map<Mesh::Face_index, std::size_t>("f:region", 0).first;
-  run.seconds =
-      seconds_of([&] { Hde::detect_surface_regions(run.mesh, creases, regions, CGAL::parameters::sharp_angle(angle)); });
+  run.seconds = seconds_of([&] { Hde::detect_surface_regions(run.mesh, creases, regions, params::sharp_angle(angle)); });
   run.creases_before = creases::segments(run.mesh, creases);
   run.corners = creases::corners(run.mesh, creases);
   run.seconds += seconds_of(
@@ -135,8 +135,7 @@ Run run_with_regions(const Mesh& input, const double angle, const std::size_t fa
       {
         const CGAL::Piecewise_rbf_implicit_function<Kernel, CGAL::Polyharmonic_rbf, Tag> function(run.mesh, regions);
         run.result = remesh(run.mesh, function, creases, regions, faces, sigma);
-        run.zero_set =
-            Hde::measure_distance_to_zero_set<Tag>(run.mesh, function, CGAL::parameters::face_patch_map(regions)).face_rms;
+        run.zero_set = Hde::measure_distance_to_zero_set<Tag>(run.mesh, function, params::face_patch_map(regions)).face_rms;
       });
   run.creases_after = creases::segments(run.mesh, creases);
   run.mesh.collect_garbage();

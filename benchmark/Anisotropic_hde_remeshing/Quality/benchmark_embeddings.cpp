@@ -46,6 +46,7 @@
 using namespace shapes;
 
 namespace Hde = CGAL::Anisotropic_hde_remeshing;
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
 
 namespace PMP = CGAL::Polygon_mesh_processing;
 
@@ -111,15 +112,14 @@ void run(const Mesh& input, const Mesh& fine, const Function& function, const Di
   const auto run_embedding = [&](const auto& embedding)
   {
     run(input, fine, function, exact, name,
-        CGAL::parameters::embedding(embedding).number_of_target_faces(faces).fit_to_surface(name.back() == 'f' &&
-                                                                                            name != "pinf"));
+        params::embedding(embedding).number_of_target_faces(faces).fit_to_surface(name.back() == 'f' && name != "pinf"));
   };
   if (name.substr(0, 4) == "auto")
     run_embedding(Hde::Adaptive_normal_embedding());
   else if (name[0] == 'p')
     run_embedding(Hde::Curvature_metric(std::stod(name.substr(1))));
   else if (name[0] == 'e')
-    run(input, fine, function, exact, name, CGAL::parameters::relative_approximation_error(std::stod(name.substr(1))));
+    run(input, fine, function, exact, name, params::relative_approximation_error(std::stod(name.substr(1))));
   else
     run_embedding(Hde::Normal_embedding(std::stod(name) * bounding_box_diagonal(input)));
 }

@@ -52,6 +52,7 @@ using namespace shapes;
 
 namespace Hde = CGAL::Anisotropic_hde_remeshing;
 namespace PMP = CGAL::Polygon_mesh_processing;
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
 
 typedef CGAL::Parallel_if_available_tag Tag;
 typedef CGAL::Rbf_implicit_function<Kernel, CGAL::Polyharmonic_rbf, Tag> Rbf_function;
@@ -122,8 +123,8 @@ void print_figures_of_embedding(const Mesh& input, const Mesh& mesh, const Funct
                                 const Hde::Remeshing_result& result)
 {
   const double diagonal = bounding_box_diagonal(input);
-  const Hde::Embedding_measures embedding = Hde::measure_embedding<Tag>(
-      mesh, function, CGAL::parameters::sigma(result.sigma).target_edge_length(result.target_edge_length));
+  const Hde::Embedding_measures embedding =
+      Hde::measure_embedding<Tag>(mesh, function, params::sigma(result.sigma).target_edge_length(result.target_edge_length));
   const Hde::Shape_measures shape = Hde::measure_shape(mesh);
   const Hde::Zero_set_measures distance = Hde::measure_distance_to_zero_set<Tag>(mesh, function);
   std::cout << " folds=" << embedding.number_of_folded_faces << " lengths[.7,1.41]=" << 100 * embedding.share_within_sqrt_2
@@ -166,10 +167,8 @@ void run(const Options& options, const Mesh& input, const Build& build)
     const auto function = build();
     function_seconds.push_back(timer.time());
     remeshing_seconds.push_back(seconds_of(
-        [&]
-        {
-          result = CGAL::anisotropic_hde_remeshing<Tag>(mesh, function,
-                                                        CGAL::parameters::sigma(sigma).number_of_target_faces(wanted));
+        [&] {
+          result = CGAL::anisotropic_hde_remeshing<Tag>(mesh, function, params::sigma(sigma).number_of_target_faces(wanted));
         }));
     if (options.with_isotropic_remeshing)
       isotropic_seconds.push_back(seconds_of([&] { isotropically_remeshed(input, length); }));
@@ -188,11 +187,10 @@ void run(const Options& options, const Mesh& input, const Build& build)
     const double isotropic = median(isotropic_seconds);
     const Mesh other = isotropically_remeshed(input, length);
     // without the normals the embedding is space
-    const Hde::Embedding_measures in_space = Hde::measure_embedding(other, Sphere_function(), CGAL::parameters::sigma(0));
+    const Hde::Embedding_measures in_space = Hde::measure_embedding(other, Sphere_function(), params::sigma(0));
     std::cout << " iso_seconds=" << isotropic << " ratio=" << (rbf + remeshing) / isotropic
               << " iso_faces=" << other.number_of_faces() << " iso_mean_angle_3D=" << in_space.minimum_angle_mean
-              << " mean_angle_3D="
-              << Hde::measure_embedding(mesh, Sphere_function(), CGAL::parameters::sigma(0)).minimum_angle_mean;
+              << " mean_angle_3D=" << Hde::measure_embedding(mesh, Sphere_function(), params::sigma(0)).minimum_angle_mean;
   }
   std::cout << std::endl;
 }

@@ -30,6 +30,8 @@
 #include <string>
 #include <vector>
 
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
+
 namespace {
 
 typedef CGAL::Simple_cartesian<double> Kernel;
@@ -107,7 +109,7 @@ std::vector<Color> colors_of_patches(const Mesh& mesh, const std::vector<std::si
 
 void draw_patches(const Mesh& mesh, const std::size_t number_of_patches, const std::string& file)
 {
-  const Function function(mesh, CGAL::parameters::number_of_patches(number_of_patches));
+  const Function function(mesh, params::number_of_patches(number_of_patches));
   std::vector<std::size_t> patches;
   for (const Mesh::Face_index f : mesh.faces())
   {

@@ -22,6 +22,8 @@
 
 namespace hde_remesh {
 
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
+
 template <typename RadialFunction>
 RadialFunction radial_function(const Options& o)
 {
@@ -58,7 +60,7 @@ Built_function build_with(const Mesh& mesh, const Options& o)
   // what the library has where nothing is given
   const CGAL::Anisotropic_hde_remeshing::internal::Interpolation_parameters defaults;
   const auto np =
-      CGAL::parameters::vertex_point_map(mesh.points())
+      params::vertex_point_map(mesh.points())
           .radial_function(radial_function<RadialFunction>(o))
           .number_of_patches(o.patches ? static_cast<std::size_t>(*o.patches) : defaults.patches_of(mesh.number_of_vertices()))
           .patch_overlap(o.overlap.value_or(defaults.patch_overlap))

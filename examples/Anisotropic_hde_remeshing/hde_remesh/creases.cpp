@@ -14,12 +14,14 @@
 
 namespace hde_remesh {
 
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
+
 void find_creases(Mesh& mesh, const Options& options)
 {
   const Creases creases = add_creases(mesh);
   if (options.sharp)
     CGAL::Anisotropic_hde_remeshing::detect_surface_regions(mesh, creases.is_crease, creases.region,
-                                                            CGAL::parameters::sharp_angle(*options.sharp));
+                                                            params::sharp_angle(*options.sharp));
 }
 
 } // namespace hde_remesh

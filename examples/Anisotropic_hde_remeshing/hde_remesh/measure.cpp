@@ -23,6 +23,8 @@
 
 namespace hde_remesh {
 
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
+
 namespace {
 
 typedef CGAL::Parallel_if_available_tag Tag;
@@ -47,7 +49,7 @@ double diagonal(const Mesh& mesh)
 Figures measure(const Mesh& mesh, const Function_view& function, const double sigma, const double target_edge_length,
                 const bool with_self_intersections)
 {
-  const auto np = CGAL::parameters::sigma(sigma).face_patch_map(creases_of(mesh).region);
+  const auto np = params::sigma(sigma).face_patch_map(creases_of(mesh).region);
   Figures figures;
   figures.topology = Hde::measure_topology(mesh);
   figures.shape = Hde::measure_shape(mesh);

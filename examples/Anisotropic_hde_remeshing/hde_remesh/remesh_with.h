@@ -17,6 +17,8 @@
 
 namespace hde_remesh {
 
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
+
 typedef CGAL::Anisotropic_hde_remeshing::Remeshing_result Remeshing_result;
 
 // what the embeddings are made for
@@ -56,7 +58,7 @@ Remeshing_result remesh_with(const Embedding& embedding, Mesh& mesh, const Funct
                              const Options& o, Progress& progress)
 {
   using CGAL::Anisotropic_hde_remeshing::Remeshing_scheme;
-  const auto np = CGAL::parameters::embedding(embedding)
+  const auto np = params::embedding(embedding)
                       .remeshing_scheme(o.scheme == "paper" ? Remeshing_scheme::PAPER : Remeshing_scheme::DEFAULT)
                       .visitor(Progress_visitor(progress));
   if (sizes.edge_length)

@@ -13,8 +13,8 @@
 
 #include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Closest_facet.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/measures/Measured_mesh.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/named_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/parameter_types.h>
+#include <CGAL/Anisotropic_hde_remeshing/parameters.h>
 
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>

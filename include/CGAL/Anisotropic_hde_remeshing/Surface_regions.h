@@ -12,11 +12,11 @@
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/check_parameters.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/named_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/parameter_types.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/Face_directions.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/extend_darts.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/prune_creases.h>
+#include <CGAL/Anisotropic_hde_remeshing/parameters.h>
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
@@ -133,8 +133,8 @@ std::size_t number_regions(const TriangleMesh& tmesh, const EdgeIsCreaseMap is_c
   std::size_t next = 0;
   for (const auto f : faces(tmesh))
     put(index, f, next++);
-  return Polygon_mesh_processing::connected_components(tmesh, region,
-                                                       parameters::edge_is_constrained_map(is_crease).face_index_map(index));
+  return Polygon_mesh_processing::connected_components(
+      tmesh, region, CGAL::parameters::edge_is_constrained_map(is_crease).face_index_map(index));
 }
 
 template <typename TriangleMesh, typename VertexPointMap>

@@ -14,7 +14,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/measures/Curvature_by_differences.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/measures/Measured_mesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/parallel.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/named_parameters.h>
+#include <CGAL/Anisotropic_hde_remeshing/parameters.h>
 
 #include <CGAL/tags.h>
 

@@ -14,10 +14,11 @@
 #include <CGAL/Anisotropic_hde_remeshing/Measures.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/measures/Area_sampler.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/measures/Measured_mesh.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/named_parameters.h>
+#include <CGAL/Anisotropic_hde_remeshing/parameters.h>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_tree.h>
+#include <CGAL/boost/graph/named_params_helper.h>
 #if CGAL_VERSION_NR >= CGAL_VERSION_NUMBER(6, 0, 0)
 #  include <CGAL/AABB_traits_3.h>
 #else

@@ -17,7 +17,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/measures/Measured_mesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/measures/Zero_set_distance.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/parallel.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/named_parameters.h>
+#include <CGAL/Anisotropic_hde_remeshing/parameters.h>
 
 #include <algorithm>
 #include <cmath>

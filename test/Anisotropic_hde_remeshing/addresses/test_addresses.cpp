@@ -21,6 +21,8 @@
 #include <optional>
 #include <vector>
 
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
+
 typedef CGAL::Parallel_if_available_tag Tag;
 typedef CGAL::Rbf_implicit_function<shapes::Kernel, CGAL::Polyharmonic_rbf, Tag> Function;
 typedef shapes::Mesh Mesh;
@@ -48,7 +50,7 @@ void test_creases()
   auto is_constrained = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_constrained", false).first;
   auto patch = mesh.add_property_map<Mesh::Face_index, int>("f:patch", 0).first;
   patch[*mesh.faces().begin()] = 1;
-  CGAL::anisotropic_hde_remeshing<Tag>(mesh, CGAL::parameters::sharp_angle(40)
+  CGAL::anisotropic_hde_remeshing<Tag>(mesh, params::sharp_angle(40)
                                                  .number_of_target_faces(400)
                                                  .number_of_iterations(3)
                                                  .do_self_intersection_tests(true)
@@ -70,11 +72,10 @@ void test_face_range()
   is_constrained[*mesh.vertices().begin()] = true;
   const auto all = mesh.faces();
   const std::vector<Mesh::Face_index> range(all.begin(), all.begin() + 150);
-  CGAL::anisotropic_hde_remeshing<Tag>(range, mesh, shapes::Hills_function(),
-                                       CGAL::parameters::number_of_target_faces(400)
-                                           .number_of_iterations(3)
-                                           .do_self_intersection_tests(true)
-                                           .vertex_is_constrained_map(is_constrained));
+  CGAL::anisotropic_hde_remeshing<Tag>(
+      range, mesh, shapes::Hills_function(),
+      params::number_of_target_faces(400).number_of_iterations(3).do_self_intersection_tests(true).vertex_is_constrained_map(
+          is_constrained));
   CHECK(CGAL::is_valid_polygon_mesh(mesh));
 }
 

@@ -29,6 +29,8 @@
 #include <stdexcept>
 #include <string>
 
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
+
 namespace {
 
 typedef CGAL::Rbf_implicit_function<shapes::Kernel, CGAL::Polyharmonic_rbf, CGAL::Parallel_if_available_tag> Function;
@@ -55,7 +57,7 @@ void remesh(const std::string& file_name, const Parameters& parameters)
   const hde_remesh::Mesh input = hde_remesh::mesh_of_soup(soup, file_name).mesh;
   hde_remesh::Mesh mesh = input;
   const Function function(mesh);
-  const auto np = CGAL::parameters::relative_sigma(parameters.sigma)
+  const auto np = params::relative_sigma(parameters.sigma)
                       .number_of_target_faces(1 + std::size_t(parameters.factor * double(mesh.number_of_faces())))
                       .number_of_iterations(3)
                       .do_self_intersection_tests(parameters.has_tests);

@@ -28,6 +28,7 @@
 
 using namespace shapes;
 namespace Hde = CGAL::Anisotropic_hde_remeshing;
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
 
 typedef CGAL::Parallel_tag Tag;
 typedef CGAL::Rbf_implicit_function<Kernel, CGAL::Polyharmonic_rbf, Tag> Function;
@@ -40,7 +41,7 @@ std::uint64_t digest_of_remeshing(const Hde::Remeshing_scheme scheme, const bool
   for (const Mesh::Face_index f : mesh.faces())
     patch[f] = mesh.point(mesh.target(mesh.halfedge(f))).z() > 0 ? 1 : 0;
   CGAL::anisotropic_hde_remeshing<Tag>(mesh, function,
-                                       CGAL::parameters::relative_sigma(0.1)
+                                       params::relative_sigma(0.1)
                                            .number_of_target_faces(2000)
                                            .number_of_iterations(4)
                                            .remeshing_scheme(scheme)
@@ -58,7 +59,7 @@ std::uint64_t digest_with_error()
 {
   Mesh mesh = ellipsoid(3);
   CGAL::anisotropic_hde_remeshing<Tag>(mesh, Ellipsoid_function(),
-                                       CGAL::parameters::relative_approximation_error(2e-3).number_of_iterations(4));
+                                       params::relative_approximation_error(2e-3).number_of_iterations(4));
   return remeshing_checks::digest(mesh);
 }
 
@@ -104,7 +105,7 @@ int main(int argc, char*[])
         CHECK(is_independent_of_threads([=] { return digest_of_remeshing(scheme, has_tests); }));
   CHECK(is_independent_of_threads(digest_with_error));
 
-  const auto np = CGAL::parameters::do_self_intersection_tests(false);
+  const auto np = params::do_self_intersection_tests(false);
   Mesh mesh = ellipsoid(3);
   int questions = 0;
   Stopping_visitor visitor;

@@ -32,7 +32,7 @@ typedef CGAL::Rbf_implicit_function<Kernel> Function;
 typedef CGAL::Piecewise_rbf_implicit_function<Kernel> Piecewise_function;
 
 namespace Hde = CGAL::Anisotropic_hde_remeshing;
-using namespace CGAL::parameters;
+using namespace CGAL::Anisotropic_hde_remeshing::parameters;
 
 struct Sphere_function
 {

@@ -25,6 +25,8 @@
 #include <string>
 #include <vector>
 
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
+
 namespace {
 
 constexpr std::size_t number_of_exact_points = 50000;
@@ -176,7 +178,7 @@ public:
     add_with_length("Wendland C6", CGAL::Wendland_C6_rbf());
     const CGAL::Wendland_C2_rbf small_support(4);
     add("Wendland C2, K=1, sparse", text(small_support.length()), small_support,
-        CGAL::parameters::number_of_patches(1).radial_function(small_support));
+        params::number_of_patches(1).radial_function(small_support));
     m_table.print();
   }
 

@@ -18,6 +18,8 @@
 #include <cmath>
 #include <iostream>
 
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
+
 typedef CGAL::Simple_cartesian<double> Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 
@@ -42,7 +44,7 @@ int main()
 
   CGAL::anisotropic_hde_remeshing(
       mesh, Unit_sphere(),
-      CGAL::parameters::sigma(0.1).number_of_iterations(3).number_of_target_faces(80).vertex_point_map(mesh.points()));
+      params::sigma(0.1).number_of_iterations(3).number_of_target_faces(80).vertex_point_map(mesh.points()));
 
   double farthest = 0;
   for (const Mesh::Vertex_index v : mesh.vertices())

@@ -18,9 +18,9 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/sample_mesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/sample_points.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Interruption.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/named_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/parameter_types.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/type_traits.h>
+#include <CGAL/Anisotropic_hde_remeshing/parameters.h>
 
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/property_map.h>

@@ -13,7 +13,7 @@
 
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Patchwise_interpolant.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/check_parameters.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/named_parameters.h>
+#include <CGAL/Anisotropic_hde_remeshing/parameters.h>
 
 #include <CGAL/number_utils.h>
 

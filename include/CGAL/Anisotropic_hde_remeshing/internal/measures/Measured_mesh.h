@@ -16,11 +16,12 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/geometry/aspect_ratio.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/geometry/folded_edge.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/check_mesh.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/named_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/parameter_types.h>
+#include <CGAL/Anisotropic_hde_remeshing/parameters.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>
 

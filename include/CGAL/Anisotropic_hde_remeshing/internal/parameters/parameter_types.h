@@ -14,8 +14,8 @@
 #include <CGAL/Anisotropic_hde_remeshing/Input_location.h>
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_scheme.h>
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_visitor.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/named_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/type_traits.h>
+#include <CGAL/Anisotropic_hde_remeshing/parameters.h>
 
 #include <Eigen/Core>
 
@@ -178,9 +178,9 @@ struct Is_location_map : std::bool_constant<is_writable_map<T, Vertex_of<Graph>,
 {
 };
 
-// A line of the table: the name of the parameter, its tag, its condition, and the condition in words.
-#define CGAL_AHR_NAMED_PARAMETER(NAME, TAG, CONDITION, WORDS)                                                                  \
-  struct Takes_##NAME                                                                                                          \
+// A check of one parameter: its tag, its condition, and the condition in words.
+#define CGAL_AHR_TAKES(CHECK, TAG, CONDITION, WORDS)                                                                           \
+  struct Takes_##CHECK                                                                                                         \
   {                                                                                                                            \
     template <typename NamedParameters, typename Subject>                                                                      \
     static constexpr bool accepts()                                                                                            \
@@ -193,50 +193,19 @@ struct Is_location_map : std::bool_constant<is_writable_map<T, Vertex_of<Graph>,
     }                                                                                                                          \
   };
 
+// the names of the table
+#define CGAL_AHR_NAMED_PARAMETER(NAME, CONDITION, WORDS) CGAL_AHR_TAKES(NAME, NAME##_t, CONDITION, #NAME " takes " WORDS)
+#define CGAL_AHR_NAMED_PARAMETER_OF_CGAL(NAME, TAG, CONDITION, WORDS)                                                          \
+  CGAL_AHR_TAKES(NAME, TAG, CONDITION, #NAME " takes " WORDS)
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/named_parameter_table.h>
+
 // clang-format off
-CGAL_AHR_NAMED_PARAMETER(sigma, sigma_t, Is_number, "sigma takes a number")
-CGAL_AHR_NAMED_PARAMETER(relative_sigma, relative_sigma_t, Is_number, "relative_sigma takes a number")
-CGAL_AHR_NAMED_PARAMETER(embedding, embedding_t, Is_embedding_or_metric, "embedding takes a model of RemeshingEmbedding or RemeshingMetric, such as Curvature_metric(2)")
-CGAL_AHR_NAMED_PARAMETER(target_edge_length, target_edge_length_t, Is_number, "target_edge_length takes a number")
-CGAL_AHR_NAMED_PARAMETER(relative_target_edge_length, relative_target_edge_length_t, Is_number, "relative_target_edge_length takes a number")
-CGAL_AHR_NAMED_PARAMETER(number_of_target_faces, number_of_target_faces_t, Is_count, "number_of_target_faces takes an integer")
-CGAL_AHR_NAMED_PARAMETER(approximation_error, approximation_error_t, Is_number, "approximation_error takes a number")
-CGAL_AHR_NAMED_PARAMETER(relative_approximation_error, relative_approximation_error_t, Is_number, "relative_approximation_error takes a number")
-CGAL_AHR_NAMED_PARAMETER(fit_to_surface, fit_to_surface_t, Is_boolean, "fit_to_surface takes a Boolean")
-CGAL_AHR_NAMED_PARAMETER(number_of_iterations, number_of_iterations_t, Is_count, "number_of_iterations takes an integer")
-CGAL_AHR_NAMED_PARAMETER(number_of_relaxation_steps, number_of_relaxation_steps_t, Is_count, "number_of_relaxation_steps takes an integer")
-CGAL_AHR_NAMED_PARAMETER(remeshing_scheme, remeshing_scheme_t, Is_remeshing_scheme, "remeshing_scheme takes a Remeshing_scheme, DEFAULT or PAPER")
-CGAL_AHR_NAMED_PARAMETER(split_ratio, split_ratio_t, Is_number, "split_ratio takes a number")
-CGAL_AHR_NAMED_PARAMETER(collapse_ratio, collapse_ratio_t, Is_number, "collapse_ratio takes a number")
-CGAL_AHR_NAMED_PARAMETER(smoothing_ratio, smoothing_ratio_t, Is_number, "smoothing_ratio takes a number")
-CGAL_AHR_NAMED_PARAMETER(edge_is_constrained_map, edge_is_constrained_t, Is_written_edge_boolean_map, "edge_is_constrained_map takes a readable and writable property map from the edges of the mesh to bool")
-CGAL_AHR_NAMED_PARAMETER(vertex_is_constrained_map, vertex_is_constrained_t, Is_vertex_boolean_map, "vertex_is_constrained_map takes a property map from the vertices of the mesh to bool")
-CGAL_AHR_NAMED_PARAMETER(face_patch_map, face_patch_t, Is_written_face_map, "face_patch_map takes a readable and writable property map from the faces of the mesh")
-CGAL_AHR_NAMED_PARAMETER(protect_constraints, protect_constraints_t, Is_boolean, "protect_constraints takes a Boolean")
-CGAL_AHR_NAMED_PARAMETER(do_self_intersection_tests, do_self_intersection_tests_t, Is_boolean, "do_self_intersection_tests takes a Boolean")
-CGAL_AHR_NAMED_PARAMETER(vertex_location_map, vertex_location_map_t, Is_location_map, "vertex_location_map takes a writable property map from the vertices of the mesh to Input_location")
-CGAL_AHR_NAMED_PARAMETER(visitor, visitor_t, Is_visitor, "visitor takes a model of RemeshingVisitor, such as a class derived from Remeshing_visitor")
-CGAL_AHR_NAMED_PARAMETER(vertex_point_map, vertex_point_t, Is_written_vertex_point_map, "vertex_point_map takes a readable and writable property map from the vertices of the mesh to points")
-CGAL_AHR_NAMED_PARAMETER(sharp_angle, sharp_angle_t, Is_number, "sharp_angle takes a number")
-// of Rbf_implicit_function
-CGAL_AHR_NAMED_PARAMETER(number_of_patches, number_of_patches_t, Is_count, "number_of_patches takes an integer")
-CGAL_AHR_NAMED_PARAMETER(patch_overlap, patch_overlap_t, Is_number, "patch_overlap takes a number")
-CGAL_AHR_NAMED_PARAMETER(offset_distance, offset_distance_t, Is_number, "offset_distance takes a number")
-CGAL_AHR_NAMED_PARAMETER(relative_offset_distance, relative_offset_distance_t, Is_number, "relative_offset_distance takes a number")
-CGAL_AHR_NAMED_PARAMETER(two_sided_offsets, two_sided_offsets_t, Is_boolean, "two_sided_offsets takes a Boolean")
-CGAL_AHR_NAMED_PARAMETER(smoothing, smoothing_t, Is_number, "smoothing takes a number")
-CGAL_AHR_NAMED_PARAMETER(radial_function, radial_function_t, Is_radial_function, "radial_function takes a model of RadialBasisFunction, such as Wendland_C4_rbf()")
-CGAL_AHR_NAMED_PARAMETER(vertex_normal_map, vertex_normal_map_t, Is_vertex_point_map, "vertex_normal_map takes a property map from the vertices of the mesh to vectors")
-CGAL_AHR_NAMED_PARAMETER(point_map, point_t, Has_points_of_range, "point_map takes a property map from the elements of the range to points")
-CGAL_AHR_NAMED_PARAMETER(normal_map, normal_t, Has_points_of_range, "normal_map takes a property map from the elements of the range to vectors")
 // where the mesh is not written
-CGAL_AHR_NAMED_PARAMETER(read_vertex_point_map, vertex_point_t, Is_vertex_point_map, "vertex_point_map takes a property map from the vertices of the mesh to points")
-CGAL_AHR_NAMED_PARAMETER(read_edge_is_constrained_map, edge_is_constrained_t, Is_edge_boolean_map, "edge_is_constrained_map takes a property map from the edges of the mesh to bool")
-CGAL_AHR_NAMED_PARAMETER(read_face_patch_map, face_patch_t, Is_face_map, "face_patch_map takes a property map from the faces of the mesh")
-CGAL_AHR_NAMED_PARAMETER(geom_traits, geom_traits_t, Is_kernel, "geom_traits takes a kernel")
-CGAL_AHR_NAMED_PARAMETER(number_of_points_on_faces, number_of_points_on_faces_t, Is_count, "number_of_points_on_faces takes an integer")
+CGAL_AHR_TAKES(read_vertex_point_map, vertex_point_t, Is_vertex_point_map, "vertex_point_map takes a property map from the vertices of the mesh to points")
+CGAL_AHR_TAKES(read_edge_is_constrained_map, edge_is_constrained_t, Is_edge_boolean_map, "edge_is_constrained_map takes a property map from the edges of the mesh to bool")
+CGAL_AHR_TAKES(read_face_patch_map, face_patch_t, Is_face_map, "face_patch_map takes a property map from the faces of the mesh")
 // clang-format on
-#undef CGAL_AHR_NAMED_PARAMETER
+#undef CGAL_AHR_TAKES
 
 // Lists of parameters. They are no templates: template arguments would fill the message.
 
@@ -359,21 +328,13 @@ struct Parameters_of_measures
   }
 };
 
-template <typename T>
-struct Is_named_parameters : std::false_type
-{
-};
-template <typename T, typename Tag, typename Base>
-struct Is_named_parameters<Named_function_parameters<T, Tag, Base>> : std::true_type
-{
-};
-
 // whether a function for a mesh, range or kernel accepts `np`; if not, an error of the compiler says what is wrong
 template <typename List, typename Subject, typename NamedParameters>
 constexpr bool accepts_parameters()
 {
-  constexpr bool is_np = Is_named_parameters<NamedParameters>::value;
-  static_assert(is_np, "the last argument must be named parameters, such as CGAL::parameters::sigma(0.1)");
+  constexpr bool is_np = is_named_parameters<NamedParameters>;
+  static_assert(is_np,
+                "the last argument must be named parameters, such as CGAL::Anisotropic_hde_remeshing::parameters::sigma(0.1)");
   if constexpr (is_np)
     return List::template accepts<NamedParameters, Subject>();
   else

@@ -96,7 +96,7 @@ private:
   void measure_components()
   {
     const std::size_t n =
-        Polygon_mesh_processing::connected_components(m_tmesh, m_component, parameters::face_index_map(m_number));
+        Polygon_mesh_processing::connected_components(m_tmesh, m_component, CGAL::parameters::face_index_map(m_number));
     std::vector<Bbox_3> boxes(n);
     for (const Face f : faces(m_tmesh))
       boxes[get(m_component, f)] += box(f);

@@ -15,10 +15,10 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Vector.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Interruption.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/parallel.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/named_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/Region_function.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/fit_region_function.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/split_regions.h>
+#include <CGAL/Anisotropic_hde_remeshing/parameters.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
@@ -60,7 +60,7 @@ auto with_share_of_patches(const NamedParameters& np, const double share)
   else
   {
     const double n = double(parameters::get_parameter(np, internal_np::number_of_patches));
-    return np.number_of_patches(std::size_t((std::max)(1., std::round(share * n))));
+    return parameters::begin_with(np).number_of_patches(std::size_t((std::max)(1., std::round(share * n))));
   }
 }
 

@@ -15,11 +15,11 @@
 #include <CGAL/Anisotropic_hde_remeshing/Normal_embedding.h>
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_scheme.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/check_parameters.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/named_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/parameter_types.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/size_limits.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/targets/Metric_embedding.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/targets/Target_length.h>
+#include <CGAL/Anisotropic_hde_remeshing/parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>

@@ -13,13 +13,13 @@
 
 #include <CGAL/Anisotropic_hde_remeshing/Input_location.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/parallel.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/named_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/type_traits.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/Map_transaction.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/New_points.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/Working_mesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/load_mesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/new_elements.h>
+#include <CGAL/Anisotropic_hde_remeshing/parameters.h>
 
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/Euler_operations.h>
