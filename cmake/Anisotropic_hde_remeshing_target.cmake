@@ -31,28 +31,10 @@ if(CGAL_AHR_WITH_TBB)
   endif()
 endif()
 
-# Compilers without #include_next need to be told where CGAL's list of named parameters lies.
-function(anisotropic_hde_remeshing_set_original_parameters_interface target)
-  find_file(CGAL_AHR_ORIGINAL_PARAMETERS_INTERFACE
-    NAMES CGAL/STL_Extension/internal/parameters_interface.h
-    PATHS ${CGAL_INCLUDE_DIRS} ${CGAL_ROOT}/include
-    NO_DEFAULT_PATH)
-  mark_as_advanced(CGAL_AHR_ORIGINAL_PARAMETERS_INTERFACE)
-  if(NOT CGAL_AHR_ORIGINAL_PARAMETERS_INTERFACE)
-    message(FATAL_ERROR "Anisotropic_hde_remeshing: CGAL's file CGAL/STL_Extension/internal/parameters_interface.h "
-      "was not found. Set CGAL_AHR_ORIGINAL_PARAMETERS_INTERFACE to its path.")
-  endif()
-  target_compile_definitions(${target} INTERFACE
-    "CGAL_AHR_ORIGINAL_PARAMETERS_INTERFACE=\"${CGAL_AHR_ORIGINAL_PARAMETERS_INTERFACE}\"")
-endfunction()
-
 function(anisotropic_hde_remeshing_setup_target target)
   target_compile_features(${target} INTERFACE cxx_std_17)
   target_link_libraries(${target} INTERFACE CGAL::CGAL CGAL::Eigen3_support)
   if(CGAL_AHR_WITH_TBB AND TARGET CGAL::TBB_support)
     target_link_libraries(${target} INTERFACE CGAL::TBB_support)
-  endif()
-  if(CGAL_AHR_WITHOUT_INCLUDE_NEXT OR CMAKE_CXX_COMPILER_ID STREQUAL "MSVC")
-    anisotropic_hde_remeshing_set_original_parameters_interface(${target})
   endif()
 endfunction()

@@ -11,9 +11,8 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-# A folder of the package's own: next to CGAL's headers, the overlay of the named parameters would replace CGAL's file
-# or hide behind it.
-set(CGAL_AHR_INSTALL_INCLUDE_DIR "${CMAKE_INSTALL_INCLUDEDIR}/Anisotropic_hde_remeshing")
+# Next to CGAL's headers: no file here has the name of one of CGAL's.
+set(CGAL_AHR_INSTALL_INCLUDE_DIR "${CMAKE_INSTALL_INCLUDEDIR}")
 set(CGAL_AHR_INSTALL_CMAKE_DIR "${CMAKE_INSTALL_DATADIR}/cmake/Anisotropic_hde_remeshing")
 
 configure_package_config_file(

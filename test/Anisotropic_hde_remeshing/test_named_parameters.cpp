@@ -6,7 +6,8 @@
 //
 // Author(s)     : The Anisotropic_hde_remeshing developers
 
-// The package's named parameters beside CGAL's, after headers of CGAL's that include its list first.
+// The package's named parameters beside CGAL's, after headers of CGAL's that include its list first. CMake also compiles this
+// file with a list of CGAL's that has names of the package, as a later version may have them.
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Simple_cartesian.h>
@@ -133,6 +134,17 @@ void check_functions()
   CHECK(number_of_flat_faces(CGAL::parameters::default_values()) == 0);
 }
 
+// A name of a later CGAL is another parameter than the package's of the same name.
+void check_later_cgal()
+{
+#ifdef CGAL_AHR_TEST_LATER_CGAL
+  const auto np = params::begin_with(CGAL::parameters::sigma(1.0)).sigma(2.0);
+  CHECK(value(np, CGAL::internal_np::sigma) == 1.0);
+  CHECK(value(np, internal_np::sigma) == 2.0);
+  CHECK(value(CGAL::parameters::sigma(1.0), internal_np::sigma) == -1.0);
+#endif
+}
+
 void check_trait()
 {
   using CGAL::Anisotropic_hde_remeshing::internal::is_named_parameters;
@@ -148,6 +160,7 @@ int main()
   check_every_name();
   check_references();
   check_functions();
+  check_later_cgal();
   check_trait();
   return check_summary();
 }

@@ -19,25 +19,15 @@ function(run)
   endif()
 endfunction()
 
-# CMake drops /usr/include from the command line, and with it the order that is to be tested. So a CGAL that lies there
-# is seen through links from a folder elsewhere, which CMake passes by -isystem like that of any other installation.
-function(link_to_cgal config_dir result_name)
-  set(${result_name} "${config_dir}" PARENT_SCOPE)
-  if(config_dir MATCHES "^/usr/" AND EXISTS /usr/include/CGAL/config.h)
-    file(MAKE_DIRECTORY "${WORK_DIR}/cgal/include" "${WORK_DIR}/cgal/lib/cmake")
-    file(CREATE_LINK /usr/include/CGAL "${WORK_DIR}/cgal/include/CGAL" SYMBOLIC)
-    file(CREATE_LINK "${config_dir}" "${WORK_DIR}/cgal/lib/cmake/CGAL" SYMBOLIC)
-    set(${result_name} "${WORK_DIR}/cgal/lib/cmake/CGAL" PARENT_SCOPE)
-  endif()
-endfunction()
-
 file(REMOVE_RECURSE "${WORK_DIR}")
-link_to_cgal("${CGAL_CONFIG_DIR}" cgal_dir)
-
 run("${CMAKE_COMMAND}" --install "${PACKAGE_BINARY_DIR}" --config "${CONFIGURATION}" --prefix "${WORK_DIR}/prefix")
-if(EXISTS "${WORK_DIR}/prefix/include/CGAL")
-  message(FATAL_ERROR "The headers were installed where they hide CGAL's: ${WORK_DIR}/prefix/include/CGAL")
-endif()
+# the folder may be that of CGAL's headers: no file may take the place of one of CGAL's
+file(GLOB_RECURSE headers RELATIVE "${WORK_DIR}/prefix/include" "${WORK_DIR}/prefix/include/*")
+foreach(header IN LISTS headers)
+  if(NOT header MATCHES "[Aa]nisotropic_hde_remeshing|[Rr]bf_implicit_function|Radial_basis_functions")
+    message(FATAL_ERROR "The name of an installed header is not the package's own: ${header}")
+  endif()
+endforeach()
 if(EXISTS "${WORK_DIR}/prefix/bin/hde_remesh")
   run("${WORK_DIR}/prefix/bin/hde_remesh" --help)
 endif()
@@ -50,7 +40,7 @@ run("${CMAKE_COMMAND}" -S "${CONSUMER_DIR}" -B "${WORK_DIR}/consumer" -G "${GENE
   "-DCMAKE_BUILD_TYPE=Debug"
   "-DCMAKE_CXX_FLAGS_DEBUG=-O0" # to compile quickly
   "-DCMAKE_PREFIX_PATH=${WORK_DIR}/prefix"
-  "-DCGAL_DIR=${cgal_dir}")
+  "-DCGAL_DIR=${CGAL_CONFIG_DIR}")
 run("${CMAKE_COMMAND}" --build "${WORK_DIR}/consumer")
-run("${WORK_DIR}/consumer/package_linked_first")
-run("${WORK_DIR}/consumer/CGAL_linked_first")
+run("${WORK_DIR}/consumer/consumer")
+run("${WORK_DIR}/consumer/without_target")

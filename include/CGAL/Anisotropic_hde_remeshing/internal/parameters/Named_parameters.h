@@ -13,21 +13,20 @@
 
 #include <CGAL/Named_function_parameters.h>
 
-// Without the names, every use of them would fail with pages of errors. Here one line says what is wrong.
-#ifndef CGAL_AHR_NAMED_PARAMETERS_OVERLAY
-#  error "Anisotropic_hde_remeshing: put this package's include folder before CGAL's, as its CMake target does"
-#endif
-
 #include <type_traits>
 #include <utility>
 
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 
-// the tags of the named parameters
+// The tags of the named parameters. CGAL's are found here, too. If CGAL has a tag of the same name, the package's hides it.
 namespace internal_np {
 
 using namespace CGAL::internal_np;
+
+#define CGAL_AHR_NAMED_PARAMETER(NAME, CONDITION, WORDS) enum NAME##_t{NAME};
+#define CGAL_AHR_NAMED_PARAMETER_OF_CGAL(NAME, TAG, CONDITION, WORDS)
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/named_parameter_table.h>
 
 } // namespace internal_np
 
