@@ -120,12 +120,12 @@ Distance_measures measure_distance(const TriangleMesh1& tmesh1, const TriangleMe
     CGAL_precondition_msg(faces(tmesh1).first != faces(tmesh1).second && faces(tmesh2).first != faces(tmesh2).second,
                           "there is no distance to a mesh without faces");
     const std::size_t number_of_samples = internal::number_of_samples_parameter(np1);
+    const internal::Measured_mesh first = internal::read_measured_mesh(tmesh1, np1),
+                                  second = internal::read_measured_mesh(tmesh2, np2);
     const internal::Distance_to_mesh<TriangleMesh1, NamedParameters1> to_first(tmesh1, np1);
     const internal::Distance_to_mesh<TriangleMesh2, NamedParameters2> to_second(tmesh2, np2);
-    const internal::Rms_and_max from_first =
-        internal::rms_and_max_from<ConcurrencyTag>(internal::read_measured_mesh(tmesh1, np1), number_of_samples, to_second);
-    const internal::Rms_and_max from_second =
-        internal::rms_and_max_from<ConcurrencyTag>(internal::read_measured_mesh(tmesh2, np2), number_of_samples, to_first);
+    const internal::Rms_and_max from_first = internal::rms_and_max_from<ConcurrencyTag>(first, number_of_samples, to_second);
+    const internal::Rms_and_max from_second = internal::rms_and_max_from<ConcurrencyTag>(second, number_of_samples, to_first);
 
     Distance_measures measures;
     measures.rms_from_first = from_first.rms;

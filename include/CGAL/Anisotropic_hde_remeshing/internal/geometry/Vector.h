@@ -37,17 +37,18 @@ Vector to_vector(const Point_or_vector& p)
   return Vector(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
 }
 
-// the same; throws if it is not finite
+// The same; throws if it is not finite, or not below a bound. The usual bound is far below the largest double, so that no square
+// of a difference overflows.
 template <typename Point_or_vector>
-Vector finite_vector(const Point_or_vector& p, const char* what, const std::size_t index)
+Vector finite_vector(const Point_or_vector& p, const char* what, const std::size_t index, const double bound = 1e150)
 {
   Vector result = to_vector(p);
-  // This bound is far below the largest double, so that no square of a difference overflows.
-  if (!(result.array().abs() < 1e150).all())
+  if (!(result.array().abs() < bound).all())
   {
     std::ostringstream message;
-    message << "the " << what << " of vertex " << index << " is (" << result.transpose()
-            << "): its coordinates must be finite and below 1e150";
+    message << "the " << what << " of vertex " << index << " is (" << result.transpose() << "): its coordinates must be finite";
+    if (std::isfinite(bound))
+      message << " and below " << bound;
     throw std::invalid_argument(message.str());
   }
   return result;

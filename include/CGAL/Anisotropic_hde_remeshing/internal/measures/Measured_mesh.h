@@ -124,7 +124,8 @@ private:
         continue;
       }
       put(m_indices, v, m_result.points.size());
-      const Vector point = finite_vector(get(m_point_map, v), "point", this_position);
+      const Vector point =
+          finite_vector(get(m_point_map, v), "point", this_position, (std::numeric_limits<double>::infinity)());
       const std::vector<Region> regions = regions_around(v);
       for (const Region region : regions)
       {

@@ -37,7 +37,7 @@ namespace internal {
 
 // whether the first argument is a range of faces: this tells the functions below apart
 template <typename T>
-constexpr bool is_face_range = Is_range<T>::value;
+constexpr bool is_face_range = Is_range<std::remove_const_t<T>>::value;
 
 // all faces of a mesh
 struct Whole_mesh
