@@ -14,8 +14,8 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Interruption.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/parallel.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/curves/Curve_network.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/Local_change.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/Working_mesh.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/operations/Edge_contraction.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/operations/sorted_edges.h>
 
 #include <algorithm>
@@ -35,11 +35,6 @@ template <typename ConcurrencyTag, typename Embedding, typename Guard>
 class Edge_collapser
 {
   typedef Working_mesh<typename Embedding::Vertex_data> Mesh;
-  typedef typename Mesh::Vertex Vertex;
-  typedef Local_change<Mesh> Change;
-
-  // of an edge, over the length of the part of a curve for which it stands; for a third of a circle it is .83
-  static constexpr double smallest_chord = 0.85;
   // If all short edges may be contracted, their exact order does not matter. In the exact order the next edge is far away in
   // memory. So the edges are sorted into classes: contractions in a mesh of 1,000,000 faces take 2.5 instead of 4.0
   // microseconds a face.
@@ -52,7 +47,7 @@ class Edge_collapser
 public:
   Edge_collapser(Mesh& mesh, const Embedding& embedding, const Curve_network& curves, const Guard& guard,
                  Interruption& interruption)
-    : m_mesh(mesh), m_embedding(embedding), m_curves(curves), m_guard(guard), m_interruption(interruption)
+    : m_mesh(mesh), m_embedding(embedding), m_contraction(mesh, curves, guard), m_guard(guard), m_interruption(interruption)
   {
   }
 
@@ -82,7 +77,7 @@ public:
                                                                                        : Mesh::null_halfedge();
       if (!choices[i].is_valid() || !CGAL::Euler::does_satisfy_link_condition(e, m_mesh.graph()))
         continue;
-      touch_around(contract(choices[i]), is_touched);
+      touch_around(m_contraction.contract(choices[i]), is_touched);
       ++number_of_collapses;
     }
     return number_of_collapses;
@@ -112,9 +107,9 @@ private:
     const Halfedge_index h = m_mesh.halfedge(e), g = m_mesh.opposite(h);
     const double to_target = cost(h, squared_longest), to_source = cost(g, squared_longest);
     const bool is_to_target = to_target <= to_source;
-    if ((std::min)(to_target, to_source) < not_allowed && m_guard.accepts(contraction(is_to_target ? h : g)))
+    if ((std::min)(to_target, to_source) < not_allowed && m_guard.accepts(m_contraction.change(is_to_target ? h : g)))
       return is_to_target ? h : g;
-    if ((std::max)(to_target, to_source) < not_allowed && m_guard.accepts(contraction(is_to_target ? g : h)))
+    if ((std::max)(to_target, to_source) < not_allowed && m_guard.accepts(m_contraction.change(is_to_target ? g : h)))
       return is_to_target ? g : h;
     return Mesh::null_halfedge();
   }
@@ -137,66 +132,12 @@ private:
       is_touched[m_mesh.source(in)] = 1;
   }
 
-  // what contracting h to its target changes
-  Change contraction(const Halfedge_index h) const
-  {
-    Change change(m_mesh);
-    const Vertex_index kept = m_mesh.target(h);
-    for (const Halfedge_index in : m_mesh.halfedges_around_target(m_mesh.opposite(h)))
-    {
-      if (m_mesh.is_border(in))
-        continue;
-      const Face_index f = m_mesh.face(in);
-      change.remove(f);
-      const Triangle t(in, m_mesh);
-      if (t.a != kept && t.c != kept)
-        change.add(change.corner(t.a, in), change.corner(kept, in), change.corner(t.c, in), f);
-    }
-    return change;
-  }
-
-  // Removes the source of h and returns the vertex that stays. Whichever edges the mesh drops, those that stay get the arcs of
-  // the edges at the target. On a curve the edge that stays gets the arc of the path that it replaces.
-  Vertex_index contract(const Halfedge_index h) const
-  {
-    const Change change = m_guard.is_local() ? Change(m_mesh) : contraction(h); // a local guard does not look at it
-    const Vertex kept = m_mesh.point(m_mesh.target(h));
-    const typename Mesh::Sides sides = m_mesh.sides(m_mesh.target(h));
-    std::array<std::pair<Vertex_index, Curve_arc>, 3> arcs; // from neighbours to the vertex that stays
-    std::size_t number_of_arcs = 0;
-    for (const Halfedge_index side : {h, m_mesh.opposite(h)})
-    {
-      if (m_mesh.is_border(side))
-        continue;
-      const Halfedge_index to_kept = side == h ? m_mesh.opposite(m_mesh.next(side)) : m_mesh.prev(side);
-      arcs[number_of_arcs++] = {m_mesh.source(to_kept), m_mesh.arc(to_kept)};
-    }
-    if (m_mesh.point(m_mesh.source(h)).is_on_curve)
-      arcs[number_of_arcs++] = path_over_source(h);
-    const Vertex_index v = CGAL::Euler::collapse_edge(m_mesh.edge(h), m_mesh.graph());
-    m_mesh.point(v) = kept;
-    m_mesh.sides(v) = sides;
-    for (std::size_t i = 0; i < number_of_arcs; ++i)
-      m_mesh.set_arc(m_mesh.halfedge(arcs[i].first, v), arcs[i].second);
-    m_guard.update(change);
-    return v;
-  }
-
-  // the vertex before the source of h on the curve of h, and the arc of the curve from there to the target of h
-  std::pair<Vertex_index, Curve_arc> path_over_source(const Halfedge_index h) const
-  {
-    const Halfedge_index before = m_mesh.opposite(Curve_network::next_on_curve(m_mesh.opposite(h), m_mesh));
-    const Curve_arc first = m_mesh.arc(before), second = m_mesh.arc(h);
-    return {m_mesh.source(before), Curve_arc{first.curve, first.source, first.target + (second.target - second.source)}};
-  }
-
   // The longest squared length of the edges that the contraction of h to its target makes. It is `not_allowed` if that exceeds
   // `squared_longest`, or if the source of h must not be removed this way.
   double cost(const Halfedge_index h, const double squared_longest) const
   {
-    const Vertex_index removed = m_mesh.source(h), kept = m_mesh.target(h);
-    const Vertex& from = m_mesh.point(removed);
-    if (from.is_fixed || (from.is_on_curve && !may_shorten_curve(h)))
+    const Vertex_index kept = m_mesh.target(h);
+    if (!m_contraction.is_removable(h))
       return not_allowed;
     double longest = 0;
     std::size_t degree = 0;
@@ -230,28 +171,9 @@ private:
     return (std::max)(length, m_embedding.squared_length(m_mesh.state(neighbor, out), m_mesh.state(kept, out)));
   }
 
-  // Whether a vertex of a curve may go along h. It goes along the curve only, and past no face whose other edge at the vertex
-  // is on the curve, too. The curve must not become much shorter. If the deviation from the polyline is bounded, the curve must
-  // not leave its polyline. A boundary keeps at least three edges.
-  bool may_shorten_curve(const Halfedge_index h) const
-  {
-    if (!m_mesh.is_on_curve(m_mesh.edge(h)))
-      return false;
-    const Halfedge_index g = m_mesh.opposite(h);
-    if (m_mesh.is_border(h) ? is_triangle(h) : m_mesh.is_on_curve(m_mesh.edge(m_mesh.prev(h))))
-      return false;
-    if (m_mesh.is_border(g) ? is_triangle(g) : m_mesh.is_on_curve(m_mesh.edge(m_mesh.next(g))))
-      return false;
-    const auto path = path_over_source(h);
-    const double chord = (m_mesh.point(path.first).point - m_mesh.point(m_mesh.target(h)).point).norm();
-    return chord >= smallest_chord * std::abs(path.second.target - path.second.source) && m_curves.accepts(path.second);
-  }
-
-  bool is_triangle(const Halfedge_index h) const { return m_mesh.next(m_mesh.next(m_mesh.next(h))) == h; }
-
   Mesh& m_mesh;
   const Embedding& m_embedding;
-  const Curve_network& m_curves;
+  const Edge_contraction<Mesh, Guard> m_contraction;
   const Guard& m_guard;
   Interruption& m_interruption;
 };

@@ -14,8 +14,8 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/parallel.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/curves/Curve_network.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/curves/Curve_placement.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/Local_change.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/Working_mesh.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/operations/Edge_subdivision.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/operations/sorted_edges.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/projection/Surface_projection.h>
 
@@ -35,7 +35,6 @@ class Edge_splitter
 {
   typedef Working_mesh<typename Embedding::Vertex_data> Mesh;
   typedef typename Mesh::Vertex Vertex;
-  typedef Local_change<Mesh> Change;
 
   // guard 4: both halves are shorter than this share of the edge
   static constexpr double largest_half = 0.98;
@@ -47,6 +46,7 @@ public:
       m_embedding(embedding),
       m_projection(projection),
       m_curves(embedding, projection, curves),
+      m_subdivision(mesh, guard),
       m_guard(guard),
       m_interruption(interruption)
   {
@@ -89,9 +89,10 @@ private:
     {
       if (m_interruption.poll())
         break;
-      if (candidate.is_good && m_guard.accepts(subdivision(candidate)))
+      const Halfedge_index h = m_mesh.halfedge(candidate.edge);
+      if (candidate.is_good && m_guard.accepts(m_subdivision.change(h, candidate.middle, candidate.sides)))
       {
-        split(candidate);
+        m_subdivision.split(h, candidate.middle, candidate.sides);
         ++number_of_splits;
       }
     }
@@ -133,15 +134,11 @@ private:
   // whether the middle is good as the face of h sees it; if h is on the border, as the face on its other side sees it
   bool is_good_middle(const Halfedge_index h, const Candidate& candidate) const
   {
-    const Vertex &a = m_mesh.state(m_mesh.source(h), h), &b = m_mesh.state(m_mesh.target(h), h), &middle = state(candidate, h);
+    const Vertex &a = m_mesh.state(m_mesh.source(h), h), &b = m_mesh.state(m_mesh.target(h), h),
+                 &middle = m_subdivision.state(h, candidate.middle, candidate.sides);
     const double largest = largest_half * largest_half * candidate.squared_length;
     return m_embedding.squared_length(a, middle) < largest && m_embedding.squared_length(middle, b) < largest &&
            middle.normal.dot(a.normal + b.normal) > 0;
-  }
-
-  const Vertex& state(const Candidate& candidate, const Halfedge_index h) const
-  {
-    return candidate.middle.is_on_crease ? Mesh::side(candidate.sides, m_mesh.region(h)) : candidate.middle;
   }
 
   void place_on_curve(const Halfedge_index h, Candidate& candidate) const
@@ -179,56 +176,11 @@ private:
     m_embedding.place_between(a, b, middle);
   }
 
-  // what the split changes
-  Change subdivision(const Candidate& candidate) const
-  {
-    Change change(m_mesh, Change_kind::SUBDIVISION);
-    const Halfedge_index h = m_mesh.halfedge(candidate.edge);
-    for (const Halfedge_index side : {h, m_mesh.opposite(h)})
-    {
-      if (m_mesh.is_border(side))
-        continue;
-      const Face_index f = m_mesh.face(side);
-      const Triangle t(side, m_mesh);
-      const typename Change::Corner a = change.corner(t.a, side), b = change.corner(t.b, side), c = change.corner(t.c, side),
-                                    middle{Mesh::null_vertex(), &state(candidate, side)};
-      change.remove(f);
-      change.add(a, middle, c, f);
-      change.add(middle, b, c, f);
-    }
-    return change;
-  }
-
-  void split(const Candidate& candidate) const
-  {
-    const Halfedge_index to = m_mesh.halfedge(candidate.edge);
-    const Curve_arc arc = m_mesh.arc(to);
-    const double middle = 0.5 * (arc.source + arc.target);
-    const Halfedge_index from = CGAL::Euler::split_edge(to, m_mesh.graph());
-    m_mesh.point(m_mesh.target(from)) = candidate.middle;
-    m_mesh.sides(m_mesh.target(from)) = candidate.sides;
-    m_mesh.set_arc(from, Curve_arc{arc.curve, arc.source, middle});
-    m_mesh.set_arc(to, Curve_arc{arc.curve, middle, arc.target});
-    if (!m_mesh.is_border(from))
-      split_face(from, m_mesh.next(m_mesh.next(from)));
-    const Halfedge_index back = m_mesh.opposite(from);
-    if (!m_mesh.is_border(back))
-      split_face(m_mesh.prev(back), m_mesh.next(back));
-    m_guard.update_around(m_mesh.target(from));
-  }
-
-  void split_face(const Halfedge_index g, const Halfedge_index h) const
-  {
-    const std::size_t input_face = m_mesh.input_face(m_mesh.face(g));
-    const Halfedge_index between = CGAL::Euler::split_face(g, h, m_mesh.graph());
-    m_mesh.set_input_face(m_mesh.face(between), input_face);
-    m_mesh.set_input_face(m_mesh.face(m_mesh.opposite(between)), input_face);
-  }
-
   Mesh& m_mesh;
   const Embedding& m_embedding;
   const Projection& m_projection;
   const Curve_placement<Embedding, Projection> m_curves;
+  const Edge_subdivision<Mesh, Guard> m_subdivision;
   const Guard& m_guard;
   Interruption& m_interruption;
 };
