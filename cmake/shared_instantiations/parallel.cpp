@@ -19,6 +19,7 @@ namespace internal {
 template class Patchwise_interpolant<Polyharmonic_rbf, Parallel_tag>;
 CGAL_AHR_REMESH(Parallel_tag, Normal_embedding, No_intersections);
 CGAL_AHR_REMESH(Parallel_tag, Curvature_embedding, No_intersections);
+CGAL_AHR_REMESH_BY_ERROR(Parallel_tag, No_intersections);
 #endif
 
 } // namespace internal

@@ -18,6 +18,7 @@ namespace internal {
 template class Patchwise_interpolant<Polyharmonic_rbf, Sequential_tag>;
 CGAL_AHR_REMESH(Sequential_tag, Normal_embedding, No_intersections);
 CGAL_AHR_REMESH(Sequential_tag, Curvature_embedding, No_intersections);
+CGAL_AHR_REMESH_BY_ERROR(Sequential_tag, No_intersections);
 
 } // namespace internal
 } // namespace Anisotropic_hde_remeshing

@@ -16,6 +16,7 @@ namespace Anisotropic_hde_remeshing {
 namespace internal {
 
 CGAL_AHR_REMESH(Parallel_if_available_tag, Normal_embedding, Intersections_with_normals);
+CGAL_AHR_REMESH_BY_ERROR(Parallel_if_available_tag, Intersections_with_normals);
 
 } // namespace internal
 } // namespace Anisotropic_hde_remeshing

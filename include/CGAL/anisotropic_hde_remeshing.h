@@ -133,15 +133,17 @@ vertices are dropped.
     \cgalParamDescription{whether the vertices leave the surface in the end, along their normals. They go where the integral of
                           the squared distance between faces and surface is least. Where the surface is curved to one side, the
                           root mean square of the distance falls to about a quarter. Vertices of curves and fixed vertices
-                          stay.}
+                          stay. By measured error, vertices are off the surface anyway. Then this asks for the least distance:
+                          more iterations, and hardly a price of long triangles.}
     \cgalParamType{bool}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_iterations}
-    \cgalParamDescription{how often the sequence of operations is done. With 0, the vertices are only projected. If an error is
+    \cgalParamDescription{how often the sequence of operations is done. With 0, the vertices are only projected, or the mesh is only
+                          coarsened if the measured error leads. If an error is
                           asked for, it is measured then, but the mesh is not refined.}
     \cgalParamType{an integer from 0 to 1,000,000}
-    \cgalParamDefault{10}
+    \cgalParamDefault{10; 6 by measured error}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_relaxation_steps}
     \cgalParamDescription{how often an iteration smooths; not used by the scheme of the paper}
@@ -151,7 +153,7 @@ vertices are dropped.
   \cgalParamNBegin{remeshing_scheme}
     \cgalParamDescription{the order of the operations}
     \cgalParamType{`Anisotropic_hde_remeshing::Remeshing_scheme`}
-    \cgalParamDefault{`DEFAULT`; `PAPER` is Algorithm 2 of the paper}
+    \cgalParamDefault{`DEFAULT`. With a function of the caller's this is `EMBEDDING`.}
   \cgalParamNEnd
   \cgalParamNBegin{split_ratio}
     \cgalParamDescription{edges longer than this multiple of the target length are split}
@@ -242,7 +244,13 @@ Anisotropic_hde_remeshing::Remeshing_result anisotropic_hde_remeshing(TriangleMe
 /*!
 \ingroup PkgAnisotropicHdeRemeshingRef
 
-the same on the smooth surface that `Rbf_implicit_function` lays through the vertices of the mesh. The named parameters of
+the same without a function.
+
+If only a number of faces is asked for, and it is at most three quarters of that of the mesh, the mesh is remeshed by measured
+error (`Anisotropic_hde_remeshing::Remeshing_scheme::MEASURED_ERROR`): its facets are the surface, and no function is built. Only
+here, `sigma`, `target_edge_length` and the counters of projections in the result are 0.
+
+Otherwise the surface is the smooth one that `Rbf_implicit_function` lays through the vertices of the mesh. The named parameters of
 `Rbf_implicit_function` may be given, too: `number_of_patches`, `patch_overlap`, `offset_distance`, `vertex_normal_map` and
 `radial_function`. The type of `radial_function` selects the kernel.
 

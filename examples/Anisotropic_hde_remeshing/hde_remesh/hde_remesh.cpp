@@ -157,6 +157,7 @@ Sizes sizes_of(const Options& options, const Mesh& mesh)
   else if (options.faces || !sizes.error)
     sizes.number_of_faces =
         options.faces ? static_cast<std::size_t>(*options.faces) : static_cast<std::size_t>(mesh.number_of_faces());
+  sizes.scheme = scheme_of(sizes, options, mesh.number_of_faces());
   return sizes;
 }
 
@@ -182,7 +183,7 @@ void describe(const Options& options, const Checked_mesh& input, const Sizes& si
   report.output = options.output;
   report.number_of_isolated_vertices = input.number_of_isolated_vertices;
   report.kernel = remeshed.kernel;
-  report.scheme = options.scheme;
+  report.scheme = scheme_text(sizes.scheme);
   report.embedding = embedding_text(sizes, options);
   report.has_6d_lengths = has_6d_lengths(sizes, options);
   report.error = sizes.error;

@@ -118,7 +118,9 @@ void add_size_options(CLI::App& app, Options& o)
                                "it, at most --faces; by --metric inf unless another is given")
                     ->excludes(length);
   app.add_option("--absolute-error", o.absolute_error, "the same in the unit of the mesh")->excludes(length)->excludes(error);
-  app.add_flag("--fit", o.fit, "move the vertices off the surface in the end, to where the distance is least");
+  app.add_flag("--fit", o.fit,
+               "move the vertices off the surface in the end, to where the distance is least; by measured error, where they\n"
+               "are off it anyway: more iterations, and hardly a price of long triangles");
 }
 
 void add_function_options(CLI::App& app, Options& o)
@@ -150,8 +152,12 @@ void add_remeshing_options(CLI::App& app, Options& o)
                  "between them only (default: it is smooth everywhere). 20 to 40 suits mechanical parts")
       ->type_name("DEGREES")
       ->group(group);
-  app.add_option("--scheme", o.scheme, "default, or paper: Algorithm 2 of Dassi, Farrell and Si")
-      ->check(CLI::IsMember({"default", "paper"}))
+  app.add_option("--scheme", o.scheme,
+                 "measured-error: the least distance to IN, for fewer triangles than IN has; embedding: uniform in the\n"
+                 "embedding, vertices on the smooth surface; paper: the same by Algorithm 2 of Dassi, Farrell and Si.\n"
+                 "By default the first if a number is asked for that is at most 3/4 of that of IN, and nothing of the\n"
+                 "embedding or the smooth function; else the second")
+      ->check(CLI::IsMember({"default", "measured-error", "embedding", "paper"}))
       ->group(group);
   app.add_option("--iterations", o.iterations, "number of iterations")->group(group);
   app.add_option("--relaxation-steps", o.relaxation_steps, "smoothing passes in an iteration")->group(group);

@@ -17,6 +17,8 @@
 
 namespace hde_remesh {
 
+using CGAL::Anisotropic_hde_remeshing::Remeshing_scheme;
+
 namespace {
 
 enum class Embedding
@@ -56,8 +58,43 @@ Remeshing_result remesh_with_embedding(Mesh& mesh, const Function_view& function
 
 } // namespace
 
+Remeshing_scheme scheme_of(const Sizes& sizes, const Options& o, const std::size_t number_of_faces)
+{
+  static constexpr double largest_ratio = 0.75;
+  if (o.scheme == "paper")
+    return Remeshing_scheme::PAPER;
+  if (o.scheme == "embedding")
+    return Remeshing_scheme::EMBEDDING;
+  const bool is_count_given = (o.faces || o.vertices) && !sizes.error && !sizes.edge_length;
+  const double ratio = static_cast<double>(sizes.number_of_faces.value_or(0)) / static_cast<double>(number_of_faces);
+  if (embedding_of(sizes, o) != Embedding::NORMALS || !is_count_given)
+    return Remeshing_scheme::EMBEDDING;
+  if (o.scheme == "measured-error")
+    return ratio < 1 ? Remeshing_scheme::MEASURED_ERROR : Remeshing_scheme::EMBEDDING;
+  const bool is_embedding_given =
+      o.sigma || o.absolute_sigma || o.relaxation_steps || o.smoothing_ratio || o.collapse_ratio || o.split_ratio;
+  const bool is_function_given = o.kernel != "r3" || o.shape || o.patches || o.overlap || o.offset || o.smoothing;
+  return is_embedding_given || is_function_given || ratio > largest_ratio ? Remeshing_scheme::EMBEDDING
+                                                                          : Remeshing_scheme::MEASURED_ERROR;
+}
+
+std::string scheme_text(const Remeshing_scheme scheme)
+{
+  switch (scheme)
+  {
+  case Remeshing_scheme::PAPER:
+    return "paper";
+  case Remeshing_scheme::MEASURED_ERROR:
+    return "measured-error";
+  default:
+    return "embedding";
+  }
+}
+
 std::string embedding_text(const Sizes& sizes, const Options& options)
 {
+  if (sizes.scheme == Remeshing_scheme::MEASURED_ERROR)
+    return "by measured error, no embedding";
   std::ostringstream text;
   switch (embedding_of(sizes, options))
   {
@@ -77,7 +114,10 @@ std::string embedding_text(const Sizes& sizes, const Options& options)
   return text.str();
 }
 
-bool has_6d_lengths(const Sizes& sizes, const Options& options) { return embedding_of(sizes, options) == Embedding::NORMALS; }
+bool has_6d_lengths(const Sizes& sizes, const Options& options)
+{
+  return embedding_of(sizes, options) == Embedding::NORMALS && sizes.scheme != Remeshing_scheme::MEASURED_ERROR;
+}
 
 Remeshed remesh(const Mesh& mesh, const Sizes& sizes, const Options& options, Progress& progress)
 {

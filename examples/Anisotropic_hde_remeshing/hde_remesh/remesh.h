@@ -17,6 +17,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/Piecewise_rbf_diagnostics.h>
 #include <CGAL/Anisotropic_hde_remeshing/Rbf_diagnostics.h>
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_result.h>
+#include <CGAL/Anisotropic_hde_remeshing/Remeshing_scheme.h>
 
 #include <cstddef>
 #include <optional>
@@ -32,6 +33,7 @@ struct Sizes
   std::optional<double> error;
   std::optional<std::size_t> number_of_faces;
   double tau = 0; // of the field, where there is one
+  CGAL::Anisotropic_hde_remeshing::Remeshing_scheme scheme = CGAL::Anisotropic_hde_remeshing::Remeshing_scheme::DEFAULT;
 };
 
 struct Remeshed
@@ -45,11 +47,17 @@ struct Remeshed
   CGAL::Anisotropic_hde_remeshing::Remeshing_result result;
 };
 
-// Builds the function with the kernel asked for and remeshes a copy of the mesh.
+// The scheme of the library, and its name on the command line. By default the measured error leads where a number of triangles is
+// asked for that is at most three quarters of that of IN, and nothing that concerns an embedding or the function.
+CGAL::Anisotropic_hde_remeshing::Remeshing_scheme scheme_of(const Sizes& sizes, const Options& options,
+                                                            std::size_t number_of_faces);
+std::string scheme_text(CGAL::Anisotropic_hde_remeshing::Remeshing_scheme scheme);
+
 // the embedding in words, and whether it is the paper's
 std::string embedding_text(const Sizes& sizes, const Options& options);
 bool has_6d_lengths(const Sizes& sizes, const Options& options);
 
+// Builds the function with the kernel asked for and remeshes a copy of the mesh.
 Remeshed remesh(const Mesh& mesh, const Sizes& sizes, const Options& options, Progress& progress);
 
 } // namespace hde_remesh

@@ -57,10 +57,7 @@ template <typename Embedding>
 Remeshing_result remesh_with(const Embedding& embedding, Mesh& mesh, const Function_view& function, const Sizes& sizes,
                              const Options& o, Progress& progress)
 {
-  using CGAL::Anisotropic_hde_remeshing::Remeshing_scheme;
-  const auto np = params::embedding(embedding)
-                      .remeshing_scheme(o.scheme == "paper" ? Remeshing_scheme::PAPER : Remeshing_scheme::DEFAULT)
-                      .visitor(Progress_visitor(progress));
+  const auto np = params::embedding(embedding).remeshing_scheme(sizes.scheme).visitor(Progress_visitor(progress));
   if (sizes.edge_length)
     return remesh_with_all(mesh, function, o, np.target_edge_length(*sizes.edge_length));
   if (!sizes.error)

@@ -19,17 +19,29 @@ namespace Anisotropic_hde_remeshing {
 /// the order of the operations in `CGAL::anisotropic_hde_remeshing()`
 enum class Remeshing_scheme
 {
-  /// An iteration splits edges from 4/3 and contracts edges below 4/5 of the target length. Then it splits the longest or
-  /// contracts the shortest edges until the number of faces is right. This number is alternately a little less and a little
-  /// more than asked. It is two fifths more once, if the mesh begins with about the right number. Next, the iteration flips
-  /// edges towards valence six, or, in the last iterations, towards larger angles. In the end it smooths all vertices. This
-  /// scheme measures best and is the default.
+  /// `MEASURED_ERROR` if a number of faces is asked for that is at most three quarters of that of the input, and neither an
+  /// embedding, nor a length, an error, a function or a parameter of one of these. Otherwise `EMBEDDING`.
   DEFAULT,
   /// Algorithm 2 of the paper. An iteration first repeats three operations until nothing is contracted: it contracts edges
   /// below half of the target length, smooths the 30% of the vertices with the smallest 6D angles, and flips edges. Then it
   /// splits edges above 3/2 of the target length, flips, smooths and flips. If a number of faces is asked for, the length
   /// follows from it. Contracting the shortest edges or splitting the longest ones makes up for the rest.
-  PAPER
+  PAPER,
+  /// The mesh becomes uniform and isotropic in the embedding, with its vertices on the surface.
+  ///
+  /// An iteration splits edges from 4/3 and contracts edges below 4/5 of the target length. Then it splits the longest or
+  /// contracts the shortest edges until the number of faces is right. This number is alternately a little less and a little
+  /// more than asked. It is two fifths more once, if the mesh begins with about the right number. Next, the iteration flips
+  /// edges towards valence six, or, in the last iterations, towards larger angles. In the end it smooths all vertices.
+  EMBEDDING,
+  /// For meshes with fewer faces than the input, which is then the surface itself. Samples of the input know which face of the
+  /// mesh is nearest, so each face knows how far it is from what it stands for. First, edges are contracted in the order of what
+  /// is lost by that, which quadrics add up. Then iterations follow. Each exchanges vertices, a contraction that costs little for
+  /// a split that gains much; flips edges where that makes the distance less; and moves the vertices where the distance is least,
+  /// on the surface or off it. Distances count by their third power, so that the largest one becomes small, too. Long triangles
+  /// have a price: they stand where they pay. Vertices of curves stay on them. If the result does not have fewer faces than the
+  /// input, or a length or an error is asked for, this is `EMBEDDING`.
+  MEASURED_ERROR
 };
 
 } // namespace Anisotropic_hde_remeshing

@@ -28,6 +28,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/targets/Iteration_plan.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/targets/Metric_updater.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/targets/Target_length.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/targets/what_binds.h>
 
 #include <algorithm>
 #include <cmath>
@@ -57,7 +58,6 @@ class Remesher
   // Contractions that only serve the number of faces are left out if creases make this number too large by more than this
   // ratio.
   static constexpr double largest_ratio_with_creases = 1.1;
-  static constexpr double largest_miss = 0.01; // of the number of faces asked for
   // contractions that only serve the number of faces may make longer edges while the mesh settles
   static constexpr double longest_of_settling = 1.4;
 
@@ -178,20 +178,10 @@ private:
     if (m_target.is_length_given())
       return Target::EDGE_LENGTH;
     const double number_of_faces = m_target.number_of_faces();
-    const double tolerance = (std::max)(largest_miss * number_of_faces, 2.); // a split adds two faces
-    if (m_parameters.number_of_iterations == 0 || m_interruption.is_requested() ||
-        !(std::abs(double(m_mesh.number_of_faces()) - number_of_faces) > tolerance))
+    if (m_parameters.number_of_iterations == 0 || m_interruption.is_requested())
       return Target::NUMBER_OF_FACES;
-    std::size_t number_at_curves = 0;
-    for (const Face_index f : m_mesh.faces())
-    {
-      const Triangle t(m_mesh.halfedge(f), m_mesh);
-      number_at_curves += is_kept(t.a) || is_kept(t.b) || is_kept(t.c);
-    }
-    return 2 * number_at_curves > m_mesh.number_of_faces() ? Target::FEATURE_CURVES : Target::GUARDS;
+    return what_binds(m_mesh, number_of_faces);
   }
-
-  bool is_kept(const Vertex_index v) const { return m_mesh.point(v).is_on_curve || m_mesh.point(v).is_fixed; }
 
   void reorder()
   {

@@ -41,12 +41,12 @@ namespace internal {
 
 // the curves of the mesh; on creases they bound how far an edge may be from the input polyline
 template <typename Mesh>
-Curve_network curve_network(Mesh& mesh, const Surface_function& function, const double diagonal)
+Curve_network curve_network(Mesh& mesh, const bool is_piecewise, const double diagonal)
 {
   static constexpr double largest_crease_deviation = 5e-5; // of the diagonal
   Curve_network curves(mesh);
   mesh.mark_creases();
-  if (has_creases(mesh, function))
+  if (has_creases(mesh, is_piecewise))
     curves.set_largest_deviation(largest_crease_deviation * diagonal);
   return curves;
 }
@@ -77,7 +77,7 @@ Remeshing_report remesh(Working_mesh<typename Embedding::Vertex_data>& mesh, con
   Interruption& interruption = visitor.interruption();
   if (parameters.number_of_iterations > 0)
     reorder_in_space<ConcurrencyTag>(mesh, interruption);
-  const Curve_network curves = curve_network(mesh, function, input.diagonal());
+  const Curve_network curves = curve_network(mesh, function.is_piecewise(), input.diagonal());
   const Feature_curves curves_before = feature_curves(mesh);
   Projection projection(function, input);
   Remesher remesher(mesh, embedding, projection, curves, intersections, parameters, visitor);

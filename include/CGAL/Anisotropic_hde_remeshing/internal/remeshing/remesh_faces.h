@@ -29,6 +29,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/projection/Input_surface.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/projection/Surface_function.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/remesh.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/remesh_by_error.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/remeshing_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/targets/Target_length.h>
 
@@ -114,6 +115,21 @@ std::size_t number_of_needles(const Mesh& mesh)
   return number;
 }
 
+// No function: the facets of the input are the surface. It has one region, or several with creases between them.
+struct No_function
+{
+};
+struct No_function_of_regions
+{
+  std::size_t n;
+  std::size_t number_of_pieces() const { return n; }
+  No_function piece(std::size_t) const { return No_function(); }
+};
+
+template <typename Function>
+constexpr bool has_values =
+    !std::is_same<Function, No_function>::value && !std::is_same<Function, No_function_of_regions>::value;
+
 // loads the faces, remeshes them and stores them
 template <typename ConcurrencyTag, typename FaceRange, typename TriangleMesh, typename Function, typename NamedParameters,
           typename CreaseMaps>
@@ -151,8 +167,6 @@ Remeshing_result remesh_faces(const FaceRange& faces, TriangleMesh& tmesh, const
     points.push_back(mesh.point(v).point);
   const Input_surface input(std::move(points), origin.facets, origin.diagonal / origin.unit);
   const Embedding embedding = embedding_parameter(np, origin.diagonal);
-  if constexpr (std::is_same<Embedding, Normal_embedding>::value)
-    result.sigma = embedding.sigma();
   auto intersections = intersections_parameter(np, mesh, tmesh, vpm, origin, is_whole_mesh);
   const Embedding embedding_in_unit = embedding.in_unit(origin.unit);
   const double unit_of_lengths = embedding_in_unit.unit_of_lengths(origin.unit);
@@ -160,15 +174,27 @@ Remeshing_result remesh_faces(const FaceRange& faces, TriangleMesh& tmesh, const
       remeshing_parameters(np, embedding_in_unit, origin.diagonal, origin.unit, mesh.number_of_faces());
   try
   {
-    const Remeshing_report report =
-        remesh<ConcurrencyTag>(mesh, embedding_in_unit, Surface_function(function, origin.unit), input, intersections,
-                               parameters, Visitor_reference(visitor, interruption));
+    const Visitor_reference listener(visitor, interruption);
+    Remeshing_report report;
+    if (parameters.scheme == Remeshing_scheme::MEASURED_ERROR)
+    {
+      if constexpr (std::is_same<Embedding, Normal_embedding>::value &&
+                    is_given<NamedParameters, internal_np::remeshing_scheme_t>)
+        report = remesh_by_error<ConcurrencyTag>(mesh, is_piecewise<Function>, input, intersections, parameters, listener);
+      report.number_of_regions = number_of_pieces(function);
+    }
+    else if constexpr (has_values<Function>)
+      report = remesh<ConcurrencyTag>(mesh, embedding_in_unit, Surface_function(function, origin.unit), input, intersections,
+                                      parameters, listener);
     write_report(report, origin.unit, unit_of_lengths, result);
   }
   catch (const Too_many_faces& too_many)
   {
     throw_too_many_faces(too_many, unit_of_lengths);
   }
+  if constexpr (std::is_same<Embedding, Normal_embedding>::value)
+    if (parameters.scheme != Remeshing_scheme::MEASURED_ERROR)
+      result.sigma = embedding.sigma();
   result.was_stopped = interruption.is_requested();
   if (result.was_stopped && result.number_of_iterations == 0)
     return result; // some vertices may not be on the surface yet

@@ -93,6 +93,35 @@ Remeshing_result remesh_on_surface(const Faces& faces, TriangleMesh& tmesh, cons
   return Remeshing_result();
 }
 
+template <typename FaceRange>
+std::size_t number_of_faces_in(const FaceRange& faces)
+{
+  std::size_t number = 0;
+  for_each_of_range(faces, [&](const auto&) { ++number; });
+  return number;
+}
+
+// Remeshes by measured error. No function is needed. With a sharp angle there are regions and creases.
+template <typename ConcurrencyTag, typename FaceRange, typename TriangleMesh, typename NamedParameters>
+Remeshing_result remesh_faces_by_error(const FaceRange& faces, TriangleMesh& tmesh, const bool is_whole_mesh,
+                                       const NamedParameters& np)
+{
+  const auto by_error = [](const NamedParameters& given)
+  { return parameters::begin_with(given).remeshing_scheme(Remeshing_scheme::MEASURED_ERROR); };
+  if constexpr (is_given<NamedParameters, internal_np::sharp_angle_t>)
+  {
+    const auto edge_is_crease = get(dynamic_edge_property_t<bool>(), tmesh);
+    const auto face_region = get(dynamic_face_property_t<std::size_t>(), tmesh);
+    const Surface_regions regions = detect_surface_regions(tmesh, edge_is_crease, face_region, np);
+    typedef Crease_maps<std::decay_t<decltype(edge_is_crease)>, std::decay_t<decltype(face_region)>> Creases;
+    return remesh_faces<ConcurrencyTag>(faces, tmesh, No_function_of_regions{regions.number_of_regions}, is_whole_mesh,
+                                        by_error(np), Creases{edge_is_crease, face_region});
+  }
+  else
+    return remesh_faces<ConcurrencyTag>(faces, tmesh, No_function(), is_whole_mesh, by_error(np),
+                                        crease_maps<No_function, TriangleMesh>(np));
+}
+
 // Remeshes on the surface through the vertices of the whole mesh, whichever faces are remeshed. The surface is smooth, or
 // smooth between creases. The function computes in double even if the points of the mesh are exact.
 template <typename ConcurrencyTag, typename FaceRange, typename TriangleMesh, typename NamedParameters>
@@ -107,6 +136,8 @@ Remeshing_result remesh_faces_on_built_surface(const FaceRange& faces, TriangleM
   typedef Simple_cartesian<double> Kernel;
 
   check_parameters(np);
+  if (is_by_measured_error(np, number_of_faces_in(faces)))
+    return remesh_faces_by_error<ConcurrencyTag>(faces, tmesh, is_whole_mesh, np);
   Remeshing_visitor nobody;
   Visitor_parameter<NamedParameters> visitor = visitor_parameter(np, nobody);
   visitor.stage_started(Stage::IMPLICIT_FUNCTION);

@@ -68,6 +68,8 @@ Remeshing_parameters iteration_parameters(const NamedParameters& np)
     result.split_ratio = 1.5;
     result.smoothing_ratio = 0.3;
   }
+  if (result.scheme == Remeshing_scheme::MEASURED_ERROR)
+    result.number_of_iterations = 6;
   if constexpr (is_given<NamedParameters, internal_np::number_of_iterations_t>)
     result.number_of_iterations =
         checked_repetitions("number_of_iterations", get_parameter(np, internal_np::number_of_iterations));
@@ -196,7 +198,44 @@ Remeshing_parameters remeshing_parameters(const NamedParameters& np, const Embed
   Remeshing_parameters result = iteration_parameters(np);
   result.error = error_parameter(np, diagonal) / unit;
   result.target = target_length(np, embedding.unit_of_lengths(diagonal), embedding.unit_of_lengths(unit), number_of_faces);
+  const bool is_coarsened = std::is_same<Embedding, Normal_embedding>::value && !result.target.is_length_given() &&
+                            !(result.error > 0) && result.target.number_of_faces() < double(number_of_faces);
+  if (result.scheme == Remeshing_scheme::MEASURED_ERROR && !is_coarsened)
+  {
+    result.scheme = Remeshing_scheme::EMBEDDING;
+    if constexpr (!is_given<NamedParameters, internal_np::number_of_iterations_t>)
+      result.number_of_iterations = Remeshing_parameters().number_of_iterations;
+  }
   return result;
+}
+
+// Whether nothing is asked of the embedding or of the function. Then a mesh with few faces is remeshed by measured error.
+template <typename NamedParameters, typename... Names>
+constexpr bool is_none_given = !(is_given<NamedParameters, Names> || ...);
+
+template <typename NamedParameters>
+constexpr bool leaves_embedding_and_function_open = is_given<NamedParameters, internal_np::number_of_target_faces_t>&&
+    is_none_given<NamedParameters, internal_np::sigma_t, internal_np::relative_sigma_t, internal_np::embedding_t,
+                  internal_np::approximation_error_t, internal_np::relative_approximation_error_t, internal_np::split_ratio_t,
+                  internal_np::collapse_ratio_t, internal_np::smoothing_ratio_t, internal_np::number_of_relaxation_steps_t>&&
+        is_none_given<NamedParameters, internal_np::number_of_patches_t, internal_np::patch_overlap_t,
+                      internal_np::offset_distance_t, internal_np::relative_offset_distance_t, internal_np::two_sided_offsets_t,
+                      internal_np::smoothing_t, internal_np::radial_function_t, internal_np::vertex_normal_map_t>;
+
+// Whether the measured error leads, and no function is needed.
+template <typename NamedParameters>
+bool is_by_measured_error(const NamedParameters& np, const std::size_t number_of_faces)
+{
+  static constexpr double largest_ratio = 0.75; // of the number of faces to that of the input
+  if constexpr (leaves_embedding_and_function_open<NamedParameters>)
+  {
+    const Remeshing_scheme scheme = iteration_parameters(np).scheme;
+    const double ratio = target_length(np, 1, 1, 1).number_of_faces() / double(number_of_faces);
+    return scheme == Remeshing_scheme::MEASURED_ERROR ? ratio < 1
+                                                      : scheme == Remeshing_scheme::DEFAULT && ratio <= largest_ratio;
+  }
+  else
+    return false;
 }
 
 // checks all that can be wrong with the parameters, before anything is computed

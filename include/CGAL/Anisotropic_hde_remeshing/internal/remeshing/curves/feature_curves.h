@@ -44,11 +44,11 @@ Feature_curves feature_curves(const Mesh& mesh)
   return result;
 }
 
-// whether there are edges that a piecewise function keeps sharp, other than the boundary
+// whether there are edges between regions that are to be sharp, other than the boundary
 template <typename Mesh>
-bool has_creases(const Mesh& mesh, const Surface_function& function)
+bool has_creases(const Mesh& mesh, const bool is_piecewise)
 {
-  if (function.is_piecewise())
+  if (is_piecewise)
     for (const Edge_index e : mesh.edges())
       if (mesh.is_on_curve(e) && !mesh.is_border(e))
         return true;

@@ -47,6 +47,8 @@ public:
   bool empty() const { return m_closest_facet.empty(); }
 
   double diagonal() const { return m_diagonal; }
+  const std::vector<Vector>& points() const { return m_points; }
+  const std::vector<Facet>& facets() const { return m_facets; }
 
   // requires that it is not empty
   Closest_facet::Answer closest(const Vector& p) const { return m_closest_facet(p); }

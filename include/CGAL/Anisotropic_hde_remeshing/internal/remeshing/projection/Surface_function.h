@@ -66,6 +66,9 @@ public:
     double m_unit;
   };
 
+  // none, where the facets of the input are the surface
+  Surface_function() = default;
+
   // Keeps references to the pieces of the function. `unit` is the unit of the points here, in the caller's.
   template <typename Function>
   explicit Surface_function(const Function& function, const double unit = 1) : m_is_piecewise(internal::is_piecewise<Function>)
@@ -82,7 +85,7 @@ public:
 
 private:
   std::vector<Piece> m_pieces;
-  bool m_is_piecewise;
+  bool m_is_piecewise = false;
 };
 
 inline Value_and_gradient value_and_gradient_of(const Surface_function::Piece& piece, const Vector& p) { return piece(p); }
