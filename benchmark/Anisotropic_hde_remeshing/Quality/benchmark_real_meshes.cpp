@@ -28,7 +28,7 @@
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Polygon_mesh_processing/repair.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_placement.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_filter.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_cost.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_placement.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
@@ -96,8 +96,10 @@ struct At_number_of_vertices
 
 void collapse(Mesh& mesh, const std::size_t number_of_vertices)
 {
-  const SMS::Bounded_normal_change_placement<SMS::LindstromTurk_placement<Mesh>> placement;
-  SMS::edge_collapse(mesh, At_number_of_vertices{number_of_vertices}, CGAL::parameters::get_placement(placement));
+  SMS::edge_collapse(mesh, At_number_of_vertices{number_of_vertices},
+                     CGAL::parameters::get_cost(SMS::LindstromTurk_cost<Mesh>())
+                         .get_placement(SMS::LindstromTurk_placement<Mesh>())
+                         .filter(SMS::Bounded_normal_change_filter<>()));
 }
 
 template <typename Remesh>
