@@ -45,6 +45,7 @@ const char* help_footer()
          ".05 for scans and .05 to .3 for smooth, simple shapes.\n\n"
          "Examples:\n"
          "  hde_remesh bunny.off out.off                         as many triangles as before\n"
+         "  hde_remesh bunny.off out.ply --faces 20000           the nearest mesh of so many\n"
          "  hde_remesh bunny.off out.ply --faces 20000 --sigma .02\n"
          "  hde_remesh part.stl out.obj --vertices 5000 --json out.json\n"
          "  hde_remesh scan.obj out.off --length .5 --scheme paper\n"
