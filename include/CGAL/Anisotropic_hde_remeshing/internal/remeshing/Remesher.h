@@ -310,7 +310,7 @@ private:
   {
     const double ratio = ratio_to(number_of_faces);
     m_plan.follow_number_of_faces(ratio);
-    if (m_has_creases && m_parameters.scheme == Remeshing_scheme::DEFAULT)
+    if (m_has_creases && m_parameters.scheme != Remeshing_scheme::PAPER)
     {
       m_plan.limit_length_by_creases();
       if (ratio > largest_ratio_with_creases)
