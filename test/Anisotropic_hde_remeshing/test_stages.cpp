@@ -11,13 +11,10 @@
 
 #define CGAL_AHR_WRITE_STAGES "test_stages"
 
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/generators.h>
-
 #include <CGAL/anisotropic_hde_remeshing.h>
 
 #include "check.h"
+#include "shapes.h"
 
 #include <cstddef>
 #include <fstream>
@@ -26,19 +23,6 @@
 #include <vector>
 
 namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
-
-typedef CGAL::Simple_cartesian<double> Kernel;
-typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
-
-struct Sphere
-{
-  typedef Kernel::FT FT;
-  typedef Kernel::Point_3 Point_3;
-  typedef Kernel::Vector_3 Vector_3;
-
-  FT operator()(const Point_3& p) const { return (p - CGAL::ORIGIN).squared_length() - 1; }
-  Vector_3 gradient(const Point_3& p) const { return 2 * (p - CGAL::ORIGIN); }
-};
 
 // the number after a word of the file
 std::size_t number_after(const std::string& word, const std::string& name)
@@ -57,9 +41,8 @@ std::size_t number_after(const std::string& word, const std::string& name)
 
 int main()
 {
-  Mesh mesh;
-  CGAL::make_icosahedron(mesh, Kernel::Point_3(0, 0, 0), 1);
-  CGAL::anisotropic_hde_remeshing(mesh, Sphere(), params::number_of_target_faces(200).number_of_iterations(2));
+  shapes::Mesh mesh = shapes::icosphere(0);
+  CGAL::anisotropic_hde_remeshing(mesh, shapes::Sphere_function(), params::number_of_target_faces(200).number_of_iterations(2));
 
   const std::string beginning = CGAL_AHR_WRITE_STAGES;
   const std::vector<std::string> names = {"000_input", "001_projected",  "002_split",    "003_contracted", "004_smoothed",

@@ -17,6 +17,7 @@
 // the result from those of MESH, and the reverse.
 
 #include "creases.h"
+#include "mesh_quality.h"
 #include "seconds_of.h"
 #include "shapes.h"
 
@@ -29,17 +30,13 @@
 #include <CGAL/anisotropic_hde_remeshing.h>
 
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 
-#include <cmath>
 #include <cstddef>
 #include <exception>
 #include <iomanip>
 #include <iostream>
-#include <iterator>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 using namespace shapes;
@@ -51,30 +48,6 @@ namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
 typedef CGAL::Parallel_if_available_tag Tag;
 typedef Mesh::Property_map<Mesh::Edge_index, bool> Crease_map;
 typedef Mesh::Property_map<Mesh::Face_index, std::size_t> Region_map;
-
-std::size_t number_of_self_intersections(const Mesh& mesh)
-{
-  std::vector<std::pair<Mesh::Face_index, Mesh::Face_index>> pairs;
-  PMP::self_intersections<Tag>(mesh, std::back_inserter(pairs));
-  return pairs.size();
-}
-
-// in degrees
-double normal_deviation_from(const Mesh& input, const Mesh& mesh)
-{
-  using namespace Hde::internal;
-  const Measured_mesh reference = read_measured_mesh(input, CGAL::parameters::default_values()),
-                      result = read_measured_mesh(mesh, CGAL::parameters::default_values());
-  const Closest_facet closest(reference.points, reference.faces);
-  const Area_sampler sampler(result, 200000);
-  const auto angle = [&](const std::size_t i)
-  {
-    const Vector n = result.normal(sampler.face(i)).stableNormalized(),
-                 m = reference.normal(closest(sampler(i)).facet).stableNormalized();
-    return std::atan2(n.cross(m).norm(), n.dot(m)) * 180 / pi;
-  };
-  return rms_and_max<Tag>(sampler.size(), angle).rms;
-}
 
 template <typename Function>
 Hde::Remeshing_result remesh(Mesh& mesh, const Function& function, const Crease_map creases, const Region_map regions,

@@ -18,6 +18,7 @@
 // "folds" and "intersections" are edges and pairs of faces, MESH and result. Geometric means over those of Lindstrom and Turk, and
 // the worst ones, come last.
 
+#include "mesh_quality.h"
 #include "seconds_of.h"
 #include "shapes.h"
 
@@ -27,7 +28,6 @@
 
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Polygon_mesh_processing/repair.h>
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_filter.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_cost.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_placement.h>
@@ -39,11 +39,9 @@
 #include <exception>
 #include <iomanip>
 #include <iostream>
-#include <iterator>
 #include <map>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 using namespace shapes;
@@ -59,30 +57,6 @@ struct Figures
 {
   double rms, max, normals, seconds;
 };
-
-// in degrees
-double normal_deviation_from(const Mesh& input, const Mesh& mesh)
-{
-  using namespace Hde::internal;
-  const Measured_mesh reference = read_measured_mesh(input, params::default_values()),
-                      result = read_measured_mesh(mesh, params::default_values());
-  const Closest_facet closest(reference.points, reference.faces);
-  const Area_sampler sampler(result, 200000);
-  const auto angle = [&](const std::size_t i)
-  {
-    const Vector n = result.normal(sampler.face(i)).stableNormalized(),
-                 m = reference.normal(closest(sampler(i)).facet).stableNormalized();
-    return std::atan2(n.cross(m).norm(), n.dot(m)) * 180 / pi;
-  };
-  return rms_and_max<Tag>(sampler.size(), angle).rms;
-}
-
-std::size_t number_of_self_intersections(const Mesh& mesh)
-{
-  std::vector<std::pair<Mesh::Face_index, Mesh::Face_index>> pairs;
-  PMP::self_intersections<Tag>(mesh, std::back_inserter(pairs));
-  return pairs.size();
-}
 
 struct At_number_of_vertices
 {
