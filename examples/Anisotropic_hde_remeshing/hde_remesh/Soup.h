@@ -34,6 +34,8 @@ struct Soup
   std::vector<Point_3> points;
   std::vector<std::vector<std::size_t>> faces;
   std::vector<Array> vertex_arrays, face_arrays; // written to PLY and VTP; never read
+  double rounding = 0;                           // the unit in the last place of the largest coordinate in the file
+  std::vector<std::string> notes;                // what its reader has to say, a line each
 };
 
 } // namespace hde_remesh

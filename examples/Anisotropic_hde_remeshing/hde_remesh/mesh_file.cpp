@@ -10,8 +10,9 @@
 #include "Failure.h"
 #include "Format.h"
 #include "Mesh.h"
+#include "Text_reader.h"
 #include "Whole_file.h"
-#include "unreadable.h"
+#include "readers.h"
 #include "vtp_file.h"
 
 #include <CGAL/IO/OBJ.h>
@@ -19,13 +20,12 @@
 #include <CGAL/IO/PLY.h>
 #include <CGAL/IO/STL.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <utility>
 
 namespace hde_remesh {
 
@@ -49,36 +49,39 @@ std::string read_whole(const std::string& file_name)
   return text.str();
 }
 
-bool parse(std::istream& stream, const Format format, Soup& soup)
+// A byte order mark is no part of the text. One of UTF-16 is followed by characters of two bytes; none of them is more than ASCII
+// where a reader looks.
+std::string without_byte_order_mark(std::string text)
 {
-  const auto np = CGAL::parameters::verbose(false);
+  if (text.compare(0, 3, "\xEF\xBB\xBF") == 0)
+    return text.substr(3);
+  const bool is_little_endian = text.compare(0, 2, "\xFF\xFE") == 0;
+  if (!is_little_endian && text.compare(0, 2, "\xFE\xFF") != 0)
+    return text;
+  std::string result;
+  for (std::size_t i = 2; i + 1 < text.size(); i += 2)
+  {
+    const char low = text[is_little_endian ? i : i + 1], high = text[is_little_endian ? i + 1 : i];
+    result += high == 0 ? low : '?';
+  }
+  return result;
+}
+
+Soup parse(const std::string& text, const Format format)
+{
   switch (format)
   {
   case Format::OFF:
-    return CGAL::IO::read_OFF(stream, soup.points, soup.faces, np);
+    return read_off(text);
   case Format::OBJ:
-    return CGAL::IO::read_OBJ(stream, soup.points, soup.faces, np);
+    return read_obj(text);
   case Format::PLY:
-    CGAL::IO::set_binary_mode(stream); // the header of the file has the last word
-    return CGAL::IO::read_PLY(stream, soup.points, soup.faces, np);
+    return read_ply(text);
   case Format::STL:
-    CGAL::IO::set_binary_mode(stream);
-    return CGAL::IO::read_STL(stream, soup.points, soup.faces, np);
   case Format::VTP:
     break;
   }
-  return false;
-}
-
-// CGAL's reader of OBJ files refuses some indices after it has read everything.
-std::string reason_of_refusal(const Soup& soup)
-{
-  for (std::size_t i = 0; i < soup.faces.size(); ++i)
-    for (const std::size_t v : soup.faces[i])
-      if (v >= soup.points.size())
-        return "face " + std::to_string(i + 1) + " of " + std::to_string(soup.faces.size()) +
-               " names a vertex that does not exist: there are " + std::to_string(soup.points.size());
-  return "it ends early or is no file of its format";
+  return read_stl(text);
 }
 
 void write_as(std::ostream& stream, const Format format, const Soup& soup)
@@ -114,33 +117,25 @@ void write_as(std::ostream& stream, const Format format, const Soup& soup)
 
 } // namespace
 
+std::string text_of_file(const std::string& file_name)
+{
+  std::string text = read_whole(file_name);
+  return format_of(file_name) == Format::STL && has_size_of_binary_stl(text) ? text : without_byte_order_mark(std::move(text));
+}
+
 Soup read_soup(const std::string& file_name)
 {
   const Format format = format_of(file_name);
   if (!is_read(format))
     throw Failure("cannot read " + in_quotes(file_name) + ": files of this format are only written");
-  std::string text = read_whole(file_name);
-  const std::string problem = problem_of_numbers(text, format);
-  if (!problem.empty())
-    throw Failure("cannot read " + in_quotes(file_name) + ": " + problem);
-  if (format == Format::OBJ) // CGAL's reader knows blanks only
-    std::replace(text.begin(), text.end(), '\t', ' ');
-  std::istringstream stream(text);
-  text = std::string();
-  Soup soup;
-  bool is_read = false;
   try
   {
-    is_read = parse(stream, format, soup);
+    return parse(text_of_file(file_name), format);
   }
-  catch (const std::exception&)
+  catch (const Unreadable& error)
   {
-    // a size that no memory holds, a coordinate over 0: not a file of this format
+    throw Failure("cannot read " + in_quotes(file_name) + ": " + error.what());
   }
-  if (!is_read)
-    throw Failure("cannot read " + in_quotes(file_name) + ": " +
-                  (format == Format::OBJ ? reason_of_refusal(soup) : "it ends early or is no file of its format"));
-  return soup;
 }
 
 void write_soup(const Soup& soup, const std::string& file_name)

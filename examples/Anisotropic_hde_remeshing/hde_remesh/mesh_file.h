@@ -15,6 +15,9 @@
 
 namespace hde_remesh {
 
+// the bytes of a file, without a byte order mark
+std::string text_of_file(const std::string& file_name);
+
 Soup read_soup(const std::string& file_name);
 
 // Writes the soup whole or not at all.

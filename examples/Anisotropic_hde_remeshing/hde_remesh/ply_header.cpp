@@ -8,77 +8,124 @@
 
 #include "ply_header.h"
 
+#include "Text_reader.h"
+
 #include <algorithm>
-#include <cstddef>
-#include <sstream>
-#include <vector>
+#include <map>
+#include <string_view>
 
 namespace hde_remesh {
 
 namespace {
 
-const std::vector<std::string> types = {"char", "int8",  "uchar", "uint8",  "short", "int16",   "ushort", "uint16",
-                                        "int",  "int32", "uint",  "uint32", "float", "float32", "double", "float64"};
+typedef std::vector<std::string_view> Words;
 
-bool is_type(const std::string& word) { return std::find(types.begin(), types.end(), word) != types.end(); }
-
-bool is_whole_number(const std::string& word)
+class Header_reader
 {
-  return !word.empty() && word.size() < 19 && word.find_first_not_of("0123456789") == std::string::npos;
-}
+public:
+  explicit Header_reader(const std::string& text) : m_text(text), m_reader(text, Text_reader::PLAIN) {}
 
-// `property TYPE NAME` or `property list TYPE TYPE NAME`
-bool is_property(const std::vector<std::string>& words)
-{
-  if (words.size() == 3)
-    return is_type(words[1]);
-  return words.size() == 5 && words[1] == "list" && is_type(words[2]) && is_type(words[3]);
-}
-
-// of one line, after others; `size` of the file in bytes, which has one at least for every element
-std::string problem_of_line(const std::vector<std::string>& words, const std::size_t size, bool& has_element)
-{
-  const std::string& keyword = words.front();
-  if (keyword == "element")
+  Ply_header read()
   {
-    has_element = true;
-    if (words.size() != 3 || !is_whole_number(words[2]))
-      return "an element needs a name and a number";
-    return std::stoull(words[2]) <= size ? "" : "the file is too short for " + words[2] + " of " + words[1];
+    if (!m_reader.next_line() || m_reader.words().front() != "ply")
+      m_reader.fail("'ply', with which a PLY file begins", m_reader.words().empty() ? "" : m_reader.words().front());
+    bool has_format = false;
+    while (m_reader.next_line())
+    {
+      const Words& words = m_reader.words();
+      if (words.front() == "end_header")
+      {
+        if (!has_format)
+          fail("expected the line of the format before the end of the header");
+        m_header.end = m_reader.position();
+        m_header.number_of_lines = m_reader.line_number();
+        return std::move(m_header);
+      }
+      if (words.front() == "format")
+        has_format = read_format(words);
+      else if (words.front() == "element")
+        read_element(words);
+      else if (words.front() == "property")
+        read_property(words);
+      else if (words.front() != "comment" && words.front() != "obj_info")
+        fail(excerpt(words.front()) + " begins no line of a header");
+    }
+    fail("the header does not end");
   }
-  if (keyword == "property")
-    return !has_element ? "a property comes before any element" : is_property(words) ? "" : "no property of a known type";
-  static const std::vector<std::string> others = {"ply", "format", "comment", "obj_info"};
-  return std::find(others.begin(), others.end(), keyword) != others.end()
-             ? ""
-             : "'" + keyword.substr(0, 40) + "' begins no line of a header";
-}
+
+private:
+  [[noreturn]] void fail(const std::string& problem) const
+  {
+    throw Unreadable("line " + std::to_string(m_reader.line_number()) + ": " + problem);
+  }
+
+  bool read_format(const Words& words)
+  {
+    const std::string_view name = words.size() > 1 ? words[1] : std::string_view("no format");
+    if (name == "ascii")
+      m_header.format = Ply_format::ASCII;
+    else if (name == "binary_little_endian")
+      m_header.format = Ply_format::BINARY_LITTLE_ENDIAN;
+    else if (name == "binary_big_endian")
+      m_header.format = Ply_format::BINARY_BIG_ENDIAN;
+    else
+      m_reader.fail("the format ascii, binary_little_endian or binary_big_endian", name);
+    return true;
+  }
+
+  void read_element(const Words& words)
+  {
+    Ply_element element;
+    if (words.size() != 3 || !Text_reader::to_whole_number(words[2], element.number))
+      fail("an element needs a name and a number");
+    if (element.number > m_text.size()) // of which each has a byte at least
+      fail("the file is too short for " + std::string(words[2]) + " of " + std::string(words[1]));
+    element.name = words[1];
+    m_header.elements.push_back(element);
+  }
+
+  // `property TYPE NAME` or `property list TYPE TYPE NAME`
+  void read_property(const Words& words)
+  {
+    if (m_header.elements.empty())
+      fail("a property comes before any element");
+    const bool is_list = words.size() == 5 && words[1] == "list";
+    if (words.size() != 3 && !is_list)
+      fail("expected a property of a type and a name, or a list of two types and a name");
+    Ply_property property;
+    property.name = words.back();
+    property.type = type(words[words.size() - 2]);
+    if (is_list)
+    {
+      property.size_type = type(words[2]);
+      if (*property.size_type == Ply_type::FLOAT32 || *property.size_type == Ply_type::FLOAT64)
+        fail("the size of a list is no whole number");
+    }
+    m_header.elements.back().properties.push_back(property);
+  }
+
+  Ply_type type(const std::string_view name) const
+  {
+    static const std::map<std::string_view, Ply_type> types = {
+        {"char", Ply_type::INT8},      {"int8", Ply_type::INT8},       {"uchar", Ply_type::UINT8},
+        {"uint8", Ply_type::UINT8},    {"short", Ply_type::INT16},     {"int16", Ply_type::INT16},
+        {"ushort", Ply_type::UINT16},  {"uint16", Ply_type::UINT16},   {"int", Ply_type::INT32},
+        {"int32", Ply_type::INT32},    {"uint", Ply_type::UINT32},     {"uint32", Ply_type::UINT32},
+        {"float", Ply_type::FLOAT32},  {"float32", Ply_type::FLOAT32}, {"double", Ply_type::FLOAT64},
+        {"float64", Ply_type::FLOAT64}};
+    const auto found = types.find(name);
+    if (found == types.end())
+      fail("no property of a known type: " + excerpt(name));
+    return found->second;
+  }
+
+  const std::string& m_text;
+  Text_reader m_reader;
+  Ply_header m_header;
+};
 
 } // namespace
 
-std::string problem_of_ply_header(const std::string& text)
-{
-  std::istringstream lines(text);
-  bool has_element = false;
-  std::size_t number = 0;
-  for (std::string line; std::getline(lines, line);)
-  {
-    ++number;
-    std::istringstream stream(line);
-    std::vector<std::string> words;
-    for (std::string word; stream >> word;)
-      words.push_back(word);
-    if (words.empty())
-      continue;
-    if (number == 1 && words.front() != "ply")
-      return "line 1: a PLY file begins with 'ply'";
-    if (words.front() == "end_header")
-      return "";
-    const std::string problem = problem_of_line(words, text.size(), has_element);
-    if (!problem.empty())
-      return "line " + std::to_string(number) + ": " + problem;
-  }
-  return "the header does not end";
-}
+Ply_header read_ply_header(const std::string& text) { return Header_reader(text).read(); }
 
 } // namespace hde_remesh

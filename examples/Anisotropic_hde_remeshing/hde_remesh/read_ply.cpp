@@ -1,0 +1,316 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+// PLY: x, y and z of the vertices, the faces, and a further property of the vertices. All else is passed over.
+
+#include "Byte_reader.h"
+#include "ply_header.h"
+#include "readers.h"
+#include "rounding.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace hde_remesh {
+
+namespace {
+
+// the numbers of a text
+class Text_numbers
+{
+public:
+  Text_numbers(const std::string& text, const Ply_header& header)
+    : m_reader(text, Text_reader::PLAIN, header.end, header.number_of_lines)
+  {
+  }
+
+  template <typename Expected>
+  double number(Ply_type, const Expected& expected)
+  {
+    const std::string_view word = m_reader.word(expected);
+    double value = 0;
+    if (!Text_reader::to_number(word, value))
+      m_reader.fail("a number, " + expected(), word);
+    return value;
+  }
+
+  template <typename Expected>
+  double coordinate(Ply_type, const Expected& expected)
+  {
+    return m_reader.finite_number(m_reader.word(expected), expected);
+  }
+
+  [[noreturn]] void fail(const std::string& expected, const double found) const
+  {
+    throw Unreadable("line " + std::to_string(m_reader.line_number()) + ": expected " + expected + ", found " +
+                     in_short(found));
+  }
+
+  static std::string in_short(const double number)
+  {
+    return number == std::floor(number) && std::abs(number) < 1e15 ? std::to_string(static_cast<long long>(number))
+                                                                   : std::to_string(number);
+  }
+
+  void expect_end(const std::string& expected)
+  {
+    if (!m_reader.is_done())
+      m_reader.fail(expected, m_reader.words().front());
+  }
+
+  double rounding(const std::vector<Point_3>& points, Ply_type) const { return rounding_of_text(points, m_reader); }
+
+private:
+  Text_reader m_reader;
+};
+
+// the numbers of a binary file
+class Binary_numbers
+{
+public:
+  Binary_numbers(const std::string& text, const Ply_header& header)
+    : m_text(text), m_bytes(text, header.format == Ply_format::BINARY_BIG_ENDIAN, header.end)
+  {
+  }
+
+  template <typename Expected>
+  double number(const Ply_type type, const Expected& expected)
+  {
+    m_begin = m_bytes.position();
+    switch (type)
+    {
+    case Ply_type::INT8:
+      return m_bytes.number<std::int8_t>(expected);
+    case Ply_type::UINT8:
+      return m_bytes.number<std::uint8_t>(expected);
+    case Ply_type::INT16:
+      return m_bytes.number<std::int16_t>(expected);
+    case Ply_type::UINT16:
+      return m_bytes.number<std::uint16_t>(expected);
+    case Ply_type::INT32:
+      return m_bytes.number<std::int32_t>(expected);
+    case Ply_type::UINT32:
+      return m_bytes.number<std::uint32_t>(expected);
+    case Ply_type::FLOAT32:
+      return static_cast<double>(m_bytes.number<float>(expected));
+    case Ply_type::FLOAT64:
+      break;
+    }
+    return m_bytes.number<double>(expected);
+  }
+
+  template <typename Expected>
+  double coordinate(const Ply_type type, const Expected& expected)
+  {
+    const double value = number(type, expected);
+    if (!std::isfinite(value))
+      fail("a finite number, " + expected(), value);
+    return value;
+  }
+
+  [[noreturn]] void fail(const std::string& expected, const double found) const
+  {
+    Byte_reader::fail_at(m_begin, expected + ", found " + Text_numbers::in_short(found));
+  }
+
+  // blanks do no harm
+  void expect_end(const std::string& expected) const
+  {
+    const std::size_t place = m_text.find_first_not_of(" \t\r\n", m_bytes.position());
+    if (place != std::string::npos)
+      Byte_reader::fail_at(place, expected);
+  }
+
+  double rounding(const std::vector<Point_3>& points, const Ply_type type) const
+  {
+    return type == Ply_type::FLOAT32 ? rounding_of_floats(points) : rounding_of_doubles(points);
+  }
+
+private:
+  const std::string& m_text;
+  Byte_reader m_bytes;
+  std::size_t m_begin = 0; // of the last number
+};
+
+template <typename Numbers>
+class Data_reader
+{
+public:
+  // `wanted` is a further property of the vertices, if it is not empty
+  Data_reader(const std::string& text, const Ply_header& header, const std::string& wanted)
+    : m_header(header), m_numbers(text, header), m_wanted(wanted)
+  {
+  }
+
+  void read()
+  {
+    for (const Ply_element& element : m_header.elements)
+      for (std::size_t i = 0; i < element.number; ++i)
+        if (element.name == "vertex")
+          read_vertex(element, i);
+        else
+          read_other(element, i);
+    m_numbers.expect_end("the end of the file after the elements of the header");
+    check_faces();
+    m_soup.rounding = m_numbers.rounding(m_soup.points, m_type_of_coordinates);
+  }
+
+  // once
+  std::pair<Soup, std::vector<double>> take() { return {std::move(m_soup), std::move(m_values)}; }
+
+private:
+  void read_vertex(const Ply_element& element, const std::size_t i)
+  {
+    double c[3] = {0, 0, 0};
+    for (const Ply_property& property : element.properties)
+    {
+      const auto expected = [&] { return property.name + " of vertex " + ordinal(i, element.number); };
+      const std::size_t axis =
+          property.size_type || property.name.size() != 1 ? std::string::npos : std::string("xyz").find(property.name);
+      if (property.size_type)
+        skip_list(property, expected);
+      else if (axis != std::string::npos)
+      {
+        c[axis] = m_numbers.coordinate(property.type, expected);
+        m_type_of_coordinates = property.type;
+        if (property.name == m_wanted)
+          m_values.push_back(c[axis]);
+      }
+      else
+      {
+        const double value = m_numbers.number(property.type, expected);
+        if (property.name == m_wanted)
+          m_values.push_back(value);
+      }
+    }
+    m_soup.points.emplace_back(c[0], c[1], c[2]);
+  }
+
+  // only the faces are kept of it
+  void read_other(const Ply_element& element, const std::size_t i)
+  {
+    for (const Ply_property& property : element.properties)
+    {
+      const auto expected = [&] { return property.name + " of " + element.name + " " + ordinal(i, element.number); };
+      const bool is_face = element.name == "face" && (property.name == "vertex_indices" || property.name == "vertex_index");
+      if (!property.size_type)
+        m_numbers.number(property.type, expected);
+      else if (is_face)
+        read_face(property, expected);
+      else
+        skip_list(property, expected);
+    }
+  }
+
+  template <typename Expected>
+  std::size_t size_of_list(const Ply_property& property, const Expected& expected)
+  {
+    const double size = m_numbers.number(*property.size_type, [&] { return "the size of " + expected(); });
+    if (!(size >= 0) || size != std::floor(size))
+      m_numbers.fail("the size of " + expected() + ", 0 or more", size);
+    return static_cast<std::size_t>((std::min)(size, 1e18));
+  }
+
+  template <typename Expected>
+  void skip_list(const Ply_property& property, const Expected& expected)
+  {
+    for (std::size_t k = size_of_list(property, expected); k > 0; --k)
+      m_numbers.number(property.type, expected);
+  }
+
+  // an index may be no larger than numbers that are read as they are
+  template <typename Expected>
+  void read_face(const Ply_property& property, const Expected& expected)
+  {
+    std::vector<std::size_t>& face = m_soup.faces.emplace_back();
+    for (std::size_t k = size_of_list(property, expected); k > 0; --k)
+    {
+      const double v = m_numbers.number(property.type, expected);
+      if (!(v >= 0 && v < 1e15) || v != std::floor(v))
+        m_numbers.fail(expected() + ", the number of a vertex", v);
+      face.push_back(static_cast<std::size_t>(v));
+    }
+  }
+
+  // the vertices may come after them
+  void check_faces() const
+  {
+    for (std::size_t i = 0; i < m_soup.faces.size(); ++i)
+      for (const std::size_t v : m_soup.faces[i])
+        if (v >= m_soup.points.size())
+          throw Unreadable("face " + ordinal(i, m_soup.faces.size()) + ": expected the numbers of vertices below " +
+                           std::to_string(m_soup.points.size()) + ", found " + std::to_string(v));
+  }
+
+  const Ply_header& m_header;
+  Numbers m_numbers;
+  std::string m_wanted;
+  Soup m_soup;
+  std::vector<double> m_values;
+  Ply_type m_type_of_coordinates = Ply_type::FLOAT64;
+};
+
+// what the file must have, if it has vertices or faces
+void check_header(const Ply_header& header)
+{
+  const auto has = [](const Ply_element& element, const std::string& name, const bool is_list)
+  {
+    return std::any_of(element.properties.begin(), element.properties.end(),
+                       [&](const Ply_property& property)
+                       { return property.name == name && property.size_type.has_value() == is_list; });
+  };
+  const auto fail = [&header](const std::string& expected) {
+    throw Unreadable("line " + std::to_string(header.number_of_lines) + ": expected " + expected + " in the header before it");
+  };
+  bool has_vertices = false, has_faces = false;
+  for (const Ply_element& element : header.elements)
+    if (element.name == "vertex")
+    {
+      has_vertices = true;
+      for (const char* name : {"x", "y", "z"})
+        if (!has(element, name, false))
+          fail(std::string("a property ") + name + " of the vertices");
+    }
+    else if (element.name == "face")
+    {
+      has_faces = true;
+      if (!has(element, "vertex_indices", true) && !has(element, "vertex_index", true))
+        fail("a list vertex_indices of the faces");
+    }
+  if (!has_vertices || !has_faces)
+    fail(has_vertices ? "an element face" : "an element vertex");
+}
+
+// the soup, and the values of the wanted property
+template <typename Numbers>
+std::pair<Soup, std::vector<double>> read_data(const std::string& text, const Ply_header& header, const std::string& wanted)
+{
+  Data_reader<Numbers> reader(text, header, wanted);
+  reader.read();
+  return reader.take();
+}
+
+std::pair<Soup, std::vector<double>> read_ply(const std::string& text, const std::string& wanted)
+{
+  const Ply_header header = read_ply_header(text);
+  check_header(header);
+  return header.format == Ply_format::ASCII ? read_data<Text_numbers>(text, header, wanted)
+                                            : read_data<Binary_numbers>(text, header, wanted);
+}
+
+} // namespace
+
+Soup read_ply(const std::string& text) { return read_ply(text, "").first; }
+
+std::vector<double> read_ply_property(const std::string& text, const std::string& name) { return read_ply(text, name).second; }
+
+} // namespace hde_remesh
