@@ -156,11 +156,11 @@ check "their row" grep -Eq '^pairs of faces that intersect +0 +0$' stdout
 check "no new self-intersections" run 0 $sphere n.off --avoid-self-intersections --self-intersections $quick
 check "their row again" grep -Eq '^pairs of faces that intersect +0 +0$' stdout
 check "no folded edges" grep -Eq '^folded edges +0 +0$' stdout
-check "arrays in PLY" run 0 $sphere arrays.ply --arrays --faces 500 $quick
+check "arrays in PLY" run 0 $sphere arrays.ply --arrays --faces 500 --sigma .02 $quick
 check "of the vertices" grep -aq '^property double nx$' arrays.ply
 check "of the faces" grep -aq '^property double smallest_angle_6d$' arrays.ply
 check "it is read as any other" run 0 arrays.ply again.off $quick
-check "arrays in VTP" run 0 $sphere arrays.vtp --arrays --faces 500 --quiet $quick
+check "arrays in VTP" run 0 $sphere arrays.vtp --arrays --faces 500 --sigma .02 --quiet $quick
 # a number a line, as many as there are points or faces
 numbers_in() { sed -n "/Name=\"$2\"/,/DataArray>/p" "$1" | grep -Ec '^[-+.0-9e]+( |$)'; }
 check "all points" [ "$(numbers_in arrays.vtp points)" -eq "$(sed -n 's/.*NumberOfPoints="\([0-9]*\)".*/\1/p' arrays.vtp)" ]
@@ -169,6 +169,27 @@ for array in aspect_ratio smallest_angle_6d connectivity offsets; do
 done
 check "VTP without arrays" run 0 $sphere plain.vtp --faces 500 $quick
 check "it has none" [ "$(grep -c aspect_ratio plain.vtp)" -eq 0 ]
+
+# by measured error there is no function, and nothing is measured that needs one
+check "measured error" run 0 $sphere me.vtp --faces 500 --iterations 2 --arrays --json me.json
+check "it is named" grep -q '; by measured error, no embedding$' stdout
+check "no function in the table" [ "$(grep -Ec '^function:|^projections:|zero set|6D|folded faces|smooth function' stdout)" -eq 0 ]
+check "distances both ways" [ "$(grep -c '^distance \(to\|from\) the input' stdout)" -eq 4 ]
+check "no function in the JSON" \
+  [ "$(grep -Ec '"(function|kernel|sigma|distance_to_zero_set|least_distance_possible|smooth function)":|"embedding": {' me.json)" -eq 0 ]
+check "all faces have an angle in space" [ "$(numbers_in me.vtp smallest_angle)" -eq 500 ]
+distance_of_faces() { sed -n '/<CellData>/,/<\/CellData>/p' "$1" | sed -n '/Name="distance"/,/DataArray>/p' | grep '^[0-9]'; }
+check "and a distance to the other mesh" [ "$(distance_of_faces me.vtp | awk '$1 > 1e-9 && $1 < .1' | wc -l)" -eq 500 ]
+check "with a function there is all of it" run 0 $sphere mf.off --faces 500 --sigma .01 --json mf.json $quick
+check "in the table" [ "$(grep -Ec '^function:|^projections:|zero set|folded faces|smooth function' stdout)" -eq 8 ]
+check "and in the JSON" \
+  [ "$(grep -Ec '"(function|kernel|sigma|distance_to_zero_set|least_distance_possible|smooth function)":' mf.json)" -gt 7 ]
+# at most three quarters, as in the library
+scheme_of() { "$program" "$1" s.off --quiet --iterations 0 --json - --faces "$2" | sed -n 's/.*"scheme": "\(.*\)".*/\1/p'; }
+faces=$(grep -c '^f ' sphere.obj)
+check "three quarters are by measured error" [ "$(scheme_of $sphere $((faces * 3 / 4)))" = measured-error ]
+check "more are not" [ "$(scheme_of $sphere $((faces * 3 / 4 + 1)))" = embedding ]
+
 refuses 1 "only written" arrays.vtp precious.off
 refuses 2 "--arrays" $sphere precious.off --arrays
 refuses 2 "--report" $sphere precious.off --report precious.off
@@ -287,9 +308,9 @@ refuses 1 "line 2" word.obj precious.off
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n' >index.obj
 refuses 1 "face 1 of 1" index.obj precious.off
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 -9\n' >negative.obj
-refuses 1 "face 1 of 1" negative.obj precious.off
+refuses 1 "line 4: expected a vertex of face 1 among the 3 before it, found '-9'" negative.obj precious.off
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 0\n' >zero.obj
-refuses 1 "face 1 of 1" zero.obj precious.off
+refuses 1 "line 4" zero.obj precious.off
 printf 'ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 nan 0\n3 0 1 2\n' >nan.ply
 refuses 1 "line 12" nan.ply precious.off
 printf 'solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 nan 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid s\n' >nan.stl
@@ -369,10 +390,64 @@ awk '$1 == "v" { x[++n] = $2 " " $3 " " $4 }
 check "the soup without repair is one triangle after the other" [ "$("$program" soup.off o.off $quick | awk '/^components/ { print $2 }')" -gt 900 ]
 repairs soup "equal points merged" --json repair.json
 check "the soup is a sphere" grep -Eq '^Euler characteristic +2 +2$' stdout
-check "a double face" grep -q '"removed_faces": 1' repair.json
+check "a double face" grep -q '"removed_faces": 1,' repair.json
 refuses 1 "line 5" nan.stl precious.off --repair
 refuses 1 "face 1 of 1" index.obj precious.off --repair
 refuses 2 "excludes" heat.ply precious.off --repair --field heat
+
+# -------------------------------------------------------------------------------------------------------------- cracks
+# torn FORMAT SIZE: sphere.obj as single triangles, whose points are up to SIZE / 2 from where they were, in text STL or OFF
+torn() {
+  awk -v format="$1" -v size="$2" 'BEGIN { srand(1) }
+    function number(x) { return sprintf("%.9g", x + size * (rand() - .5) / 2) }
+    $1 == "v" { ++n; x[n] = $2; y[n] = $3; z[n] = $4 }
+    $1 == "f" { ++m; for (k = 2; k <= 4; ++k) { split($k, a, "/"); p[++c] = number(x[a[1]]) " " number(y[a[1]]) " " number(z[a[1]]) } }
+    END { if (format == "off") print "OFF\n" c, m; else print "solid s"
+          for (i = 1; i <= c; ++i)
+            if (format == "off") print p[i]
+            else { if (i % 3 == 1) print "facet normal 0 0 1\nouter loop"; print "vertex " p[i]; if (i % 3 == 0) print "endloop\nendfacet" }
+          if (format == "off") for (i = 0; i < m; ++i) print 3, 3 * i, 3 * i + 1, 3 * i + 2
+          else print "endsolid s" }' sphere.obj
+}
+is_closed_sphere() { grep -Eq '^components +1 +1$' stdout && grep -Eq '^Euler characteristic +2 +2$' stdout; }
+nothing="--iterations 0 --no-distance"
+torn stl 1e-7 >rounded.stl
+check "STL with cracks of rounding" run 0 rounded.stl o.off $nothing --json cracks.json
+check "it is closed" is_closed_sphere
+check "its points are joined, which is said" grep -Eq 'note: [0-9]+ points are one with others within [0-9.e-]+, which closes cracks' stderr
+check "and no more than that" [ "$(wc -l <stderr)" -eq 1 ]
+check "in the JSON with the tolerance" grep -Eq '"tolerance": [0-9.]+e-07,' cracks.json
+torn off 1e-7 >rounded.off
+check "OFF stays as it is" run 0 rounded.off o.off $nothing
+check "a thousand components" grep -Eq '^components +(9[0-9]{2}|1[0-9]{3}) ' stdout
+check "with advice" grep -Eq 'warning: IN is open only by cracks of up to [1-9](\.[0-9])?e-08: --merge [1-9](\.[0-9])?e-08 closes them' stderr
+length=$(sed -n 's/.*--merge \([^ ]*\) closes.*/\1/p' stderr)
+check "which is right" run 0 rounded.off o.off $nothing --merge "$length"
+check "then it is closed" is_closed_sphere
+check "the advice is gone" [ "$(grep -c 'is open' stderr)" -eq 0 ]
+torn off 4e-10 >digits.off
+check "the repair of cracks in the last of nine digits" run 0 digits.off o.off $nothing --repair
+check "closes the cracks, too" is_closed_sphere
+torn stl 1e-4 >wide.stl
+check "STL with wider cracks" run 0 wide.stl o.off $nothing
+check "no advice for cracks as wide" [ "$(grep -c 'is open only' stderr)" -eq 0 ]
+check "a length for it" run 0 wide.stl o.off $nothing --merge 1e-4
+check "it is closed as well" is_closed_sphere
+refuses 1 "--merge must be a finite number above 0, not 0" $sphere precious.off --merge 0
+torn off 0 >single.off
+check "points that coincide" run 0 single.off o.off $nothing
+check "are said" says "IN is open only where points coincide: --repair joins them"
+sed '$d' single.off | awk 'NR == 2 { --$2 } { print }' >hole.off
+check "with a hole" run 0 hole.off o.off $nothing
+check "the single triangles are said" grep -Eq 'warning: [0-9]+ triangles of IN have no neighbour' stderr
+check "a whole mesh needs no advice" run 0 $sphere o.off $nothing
+check "and gets none" [ ! -s stderr ]
+printf 'OFF\n5 3\n0 0 0\n1 0 0\n.25 .25 0\n0 1 0\n0 0 5\n4 0 1 2 3\n3 0 2 1\n3 2 0 3\n' >arrow.off
+check "a quadrangle with an edge for a diagonal" run 0 arrow.off o.off $nothing --repair
+check "gets another point" says "1 points added on diagonals"
+sed '$d' rounded.stl >cut.stl
+check "STL without endsolid" run 0 cut.stl o.off $nothing
+check "may have been cut off" says "note: the file has no endsolid"
 
 # -------------------------------------------------------------------------------------------- a full disk, and signals
 echo precious >old.off

@@ -70,5 +70,14 @@ check "a page with a metric" "$program" "$data/sphere.off" metric.off --metric 2
 check "it opens" open_page metric.html
 check "three histograms" [ "$(grep -o '<figure>' dom | wc -l)" -eq 3 ]
 
+# by measured error there is no function: no row and no histogram of what it tells
+check "a page by measured error" "$program" "$data/sphere.off" error.off --faces 200 --report error.html --quiet
+check "it opens as well" open_page error.html
+check "both meshes are shown here, too" contains 'data-state="shown"'
+check "three histograms without 6D lengths" [ "$(grep -o '<figure>' dom | wc -l)" -eq 3 ]
+check "of distances to the other mesh" contains '<figcaption>distance to the other mesh</figcaption>'
+check "nothing to the surface" [ "$(grep -c 'triangles to the surface\|kernel\|sigma' <(sed '/<script type/,$d' dom))" -eq 0 ]
+check "no number that is none in it" [ "$(grep -Ec 'NaN|undefined' <(sed '/<script type/,$d' dom))" -eq 0 ]
+
 echo "$passed passed, $failed failed"
 [ $failed -eq 0 ]

@@ -19,6 +19,7 @@ namespace hde_remesh {
 // what can be told of each element of a mesh, in the order of the mesh; lengths in its unit, angles in degrees
 struct Element_figures
 {
+  bool is_by_function = true;          // else the surface is the other mesh, and lengths and angles are those in space
   std::vector<double> aspect_ratios;   // of the faces: q_T, infinite for a degenerate one
   std::vector<double> smallest_angles; // of the faces, in the embedding
   std::vector<double> face_distances;  // of the centroids of the faces from the surface
@@ -27,7 +28,8 @@ struct Element_figures
   std::vector<double> vertex_distances;
 };
 
-Element_figures figures_of_elements(const Mesh& mesh, const Function_view& function, double sigma);
+// Of a mesh on the zero set of a function. Where the function has no values, the surface is the other mesh.
+Element_figures figures_of_elements(const Mesh& mesh, const Function_view& function, double sigma, const Mesh& other);
 
 // adds those of the vertices and of the faces to the soup of the same mesh
 void add_arrays(const Element_figures& figures, Soup& soup);

@@ -19,16 +19,22 @@ namespace hde_remesh {
 
 namespace Hde = CGAL::Anisotropic_hde_remeshing;
 
-// the figures of one mesh: a column of the table
-struct Figures
+// the figures that only a function can tell
+struct Function_figures
 {
-  Hde::Topology_measures topology;
-  Hde::Shape_measures shape;
   Hde::Embedding_measures embedding;           // shares relative to the mean length
   Hde::Embedding_measures embedding_to_target; // shares relative to the length aimed at
   Hde::Alignment_measures alignment;
   Hde::Zero_set_measures zero_set;
   Hde::Approximation_bounds bounds;
+};
+
+// the figures of one mesh: a column of the table
+struct Figures
+{
+  Hde::Topology_measures topology;
+  Hde::Shape_measures shape;
+  std::optional<Function_figures> of_function;   // where there is one
   std::optional<std::size_t> self_intersections; // pairs of faces, if they were asked for
 };
 

@@ -10,7 +10,7 @@
 
 namespace hde_remesh {
 
-// A smooth function, or one of several smooth pieces, of any type.
+// A smooth function, or one of several smooth pieces, of any type. Or none at all, where only the number of pieces is needed.
 class Function_view
 {
 public:
@@ -53,11 +53,22 @@ public:
     return view;
   }
 
+  // pieces that no one may evaluate
+  static Function_view without_values(const std::size_t number_of_pieces)
+  {
+    Function_view view;
+    view.m_has_values = false;
+    view.m_pieces.assign(number_of_pieces, Piece(nullptr));
+    return view;
+  }
+
+  bool has_values() const { return m_has_values; }
   std::size_t number_of_pieces() const { return m_pieces.size(); }
   const Piece& piece(const std::size_t i) const { return m_pieces[i]; }
 
 private:
   std::vector<Piece> m_pieces;
+  bool m_has_values = true;
 };
 
 } // namespace hde_remesh

@@ -30,20 +30,25 @@ struct Report
 {
   std::string input, output, version;
   std::size_t number_of_isolated_vertices = 0;
-  std::optional<Repair> repair; // if it was asked for
-  std::string kernel, scheme, embedding;
-  bool has_6d_lengths = true; // the embedding is the paper's
-  double diagonal = 0;        // of the bounding box of the input
+  std::optional<Repair> repair;            // if it was asked for
+  std::size_t number_of_merged_points = 0; // within the tolerance of others, which closes cracks
+  double tolerance = 0;                    // 0 if none were to be merged
+  std::string kernel, scheme, embedding;   // no kernel without a function
+  bool has_6d_lengths = true;              // the embedding is the paper's
+  double diagonal = 0;                     // of the bounding box of the input
   std::optional<std::size_t> number_of_target_faces;
   std::optional<double> error; // asked for
   Hde::Remeshing_result result;
-  Hde::Rbf_diagnostics rbf;
+  std::optional<Hde::Rbf_diagnostics> rbf;              // of the function, where there is one
   std::optional<double> sharp;                          // the angle asked for, in degrees
-  std::optional<Hde::Piecewise_rbf_diagnostics> pieces; // in the place of `rbf`, if it was asked for
+  std::optional<Hde::Piecewise_rbf_diagnostics> pieces; // in the place of `rbf`, with that angle
   Figures before, after;
   std::optional<Hde::Distance_measures> distance;     // first: the output, second: the input
   std::vector<std::pair<std::string, double>> stages; // their names and wall times in seconds
+  std::vector<std::string> notes;                     // of the reading, a line each
   std::vector<std::string> warnings;                  // a line each
+
+  bool has_function() const { return rbf || pieces; }
 };
 
 // for people

@@ -25,7 +25,7 @@ struct Built_function
 {
   Function_view function;
   std::string kernel;
-  CGAL::Anisotropic_hde_remeshing::Rbf_diagnostics rbf;
+  std::optional<CGAL::Anisotropic_hde_remeshing::Rbf_diagnostics> rbf;
   std::optional<CGAL::Anisotropic_hde_remeshing::Piecewise_rbf_diagnostics> pieces; // in its place with --sharp
 };
 

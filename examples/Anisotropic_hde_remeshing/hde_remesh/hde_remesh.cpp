@@ -14,14 +14,13 @@
 #include "Report.h"
 #include "Stopwatch.h"
 #include "Whole_file.h"
-#include "creases.h"
-#include "field_file.h"
+#include "describe.h"
 #include "measure.h"
 #include "mesh_file.h"
 #include "options.h"
 #include "progress.h"
+#include "read_mesh.h"
 #include "remesh.h"
-#include "repair.h"
 #include "report_page.h"
 #include "signals.h"
 
@@ -34,12 +33,10 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
-#include <iomanip>
 #include <iostream>
 #include <limits>
 #include <new>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -80,33 +77,6 @@ void check_files(const Options& options)
   check_file_beside("--report", options.report, options);
   if (!options.report.empty() && options.report == options.json)
     throw Failure("--report and --json name the same file " + in_quotes(options.json), STATUS_USAGE);
-}
-
-void read_field(const Options& options, Checked_mesh& input)
-{
-  const std::vector<double> values = read_vertex_property(options.input, options.field);
-  Field field = add_field(input.mesh);
-  for (const Mesh::Vertex_index v : input.mesh.vertices())
-    field[v] = values.at(input.positions[v]);
-}
-
-Checked_mesh read_mesh(const Options& options, Report& report)
-{
-  Soup soup = read_soup(options.input);
-  if (options.repair)
-  {
-    check_points(soup, options.input);
-    soup = repaired(std::move(soup), report.repair.emplace());
-  }
-  Checked_mesh input = mesh_of_soup(soup, options.input);
-  const double d = diagonal(input.mesh);
-  if (!std::isfinite(d * d) || !(d * d > 0))
-    throw Failure(in_quotes(options.input) + ": its bounding box has the diagonal " + std::to_string(d) +
-                  ", with which nobody can compute");
-  if (!options.field.empty())
-    read_field(options, input);
-  find_creases(input.mesh, options);
-  return input;
 }
 
 // With V vertices, b of them on boundaries, and the Euler characteristic c, a triangle mesh has 2 V - 2 c - b faces.
@@ -167,47 +137,6 @@ void check_not_cancelled()
     throw Failure("cancelled; nothing was written", STATUS_CANCELLED);
 }
 
-void measure_all(const Mesh& input, const Remeshed& remeshed, const Options& options, Report& report)
-{
-  const double sigma = remeshed.result.sigma, length = remeshed.result.target_edge_length;
-  report.before = measure(input, remeshed.function, sigma, length, options.self_intersections);
-  report.after = measure(remeshed.mesh, remeshed.function, sigma, length, options.self_intersections);
-  if (!options.no_distance)
-    report.distance = measure_distance(remeshed.mesh, input);
-}
-
-void describe(const Options& options, const Checked_mesh& input, const Sizes& sizes, const Remeshed& remeshed, Report& report)
-{
-  report.version = version_text();
-  report.input = options.input;
-  report.output = options.output;
-  report.number_of_isolated_vertices = input.number_of_isolated_vertices;
-  report.kernel = remeshed.kernel;
-  report.scheme = scheme_text(sizes.scheme);
-  report.embedding = embedding_text(sizes, options);
-  report.has_6d_lengths = has_6d_lengths(sizes, options);
-  report.error = sizes.error;
-  report.diagonal = diagonal(input.mesh);
-  report.number_of_target_faces = sizes.number_of_faces;
-  report.result = remeshed.result;
-  report.rbf = remeshed.rbf;
-  report.sharp = options.sharp;
-  report.pieces = remeshed.pieces;
-}
-
-// what is no error, but no one expects
-void add_warnings(Report& report)
-{
-  static constexpr double largest_distance = 0.02; // of the diagonal
-  report.warnings = report.result.warnings();
-  if (report.distance && !(report.distance->max() <= largest_distance * report.diagonal))
-  {
-    std::ostringstream text;
-    text << "IN and OUT are up to " << std::setprecision(2) << report.distance->max() / report.diagonal << " D apart";
-    report.warnings.push_back(text.str());
-  }
-}
-
 void write_beside(const std::string& file_name, const std::string& text)
 {
   try
@@ -220,11 +149,11 @@ void write_beside(const std::string& file_name, const std::string& text)
   }
 }
 
-void write_mesh(const Remeshed& remeshed, const Options& options)
+void write_mesh(const Mesh& input, const Remeshed& remeshed, const Options& options)
 {
   Soup soup = soup_of_mesh(remeshed.mesh);
   if (options.arrays)
-    add_arrays(figures_of_elements(remeshed.mesh, remeshed.function, remeshed.result.sigma), soup);
+    add_arrays(figures_of_elements(remeshed.mesh, remeshed.function, remeshed.result.sigma, input), soup);
   write_soup(soup, options.output);
   is_output_written() = 1;
 }
@@ -232,8 +161,8 @@ void write_mesh(const Remeshed& remeshed, const Options& options)
 void write_page(const Report& report, const Mesh& input, const Remeshed& remeshed, const Options& options)
 {
   const double sigma = remeshed.result.sigma;
-  const Measured_elements before{input, figures_of_elements(input, remeshed.function, sigma)},
-      after{remeshed.mesh, figures_of_elements(remeshed.mesh, remeshed.function, sigma)};
+  const Measured_elements before{input, figures_of_elements(input, remeshed.function, sigma, remeshed.mesh)},
+      after{remeshed.mesh, figures_of_elements(remeshed.mesh, remeshed.function, sigma, input)};
   write_beside(options.report, report_page(report, options.command_line, before, after));
 }
 
@@ -261,27 +190,28 @@ void run(const Options& options)
   const Checked_mesh input = read_mesh(options, report);
   end_stage("reading", stopwatch.lap());
   progress.clear();
-  if (report.repair)
-    note(options, "repair: " + report.repair->text());
-  if (input.number_of_isolated_vertices > 0)
-    note(options, std::to_string(input.number_of_isolated_vertices) + " vertices without a face are left out");
+  for (const std::string& text : report.notes)
+    note(options, text);
 
   const Sizes sizes = sizes_of(options, input.mesh);
   const Remeshed remeshed = remesh(input.mesh, sizes, options, progress);
   check_not_cancelled();
-  end_stage("smooth function", remeshed.function_seconds);
-  end_stage("projection", remeshed.result.projection_seconds);
+  if (remeshed.function.has_values())
+  {
+    end_stage("smooth function", remeshed.function_seconds);
+    end_stage("projection", remeshed.result.projection_seconds);
+  }
   end_stage("remeshing", remeshed.result.remeshing_seconds);
 
   stopwatch.lap();
   progress.stage("writing");
-  write_mesh(remeshed, options);
+  write_mesh(input.mesh, remeshed, options);
   end_stage("output", remeshed.result.output_seconds + stopwatch.lap());
 
+  if (options.quiet && options.json.empty() && options.report.empty())
+    return; // no one would hear of it
   progress.stage("measuring");
   describe(options, input, sizes, remeshed, report);
-  measure_all(input.mesh, remeshed, options, report);
-  add_warnings(report);
   end_stage("measuring", stopwatch.lap());
   if (!options.report.empty())
     write_page(report, input.mesh, remeshed, options);

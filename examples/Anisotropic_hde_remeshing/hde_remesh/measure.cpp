@@ -46,18 +46,31 @@ double diagonal(const Mesh& mesh)
   return std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin());
 }
 
-Figures measure(const Mesh& mesh, const Function_view& function, const double sigma, const double target_edge_length,
-                const bool with_self_intersections)
+namespace {
+
+Function_figures measure_by_function(const Mesh& mesh, const Function_view& function, const double sigma,
+                                     const double target_edge_length)
 {
   const auto np = params::sigma(sigma).face_patch_map(creases_of(mesh).region);
-  Figures figures;
-  figures.topology = Hde::measure_topology(mesh);
-  figures.shape = Hde::measure_shape(mesh);
+  Function_figures figures;
   figures.embedding = Hde::measure_embedding<Tag>(mesh, function, np);
   figures.embedding_to_target = Hde::measure_embedding<Tag>(mesh, function, np.target_edge_length(target_edge_length));
   figures.alignment = Hde::measure_alignment<Tag>(mesh, function, np);
   figures.zero_set = Hde::measure_distance_to_zero_set<Tag>(mesh, function, np);
   figures.bounds = Hde::approximation_bounds<Tag>(mesh, function, np);
+  return figures;
+}
+
+} // namespace
+
+Figures measure(const Mesh& mesh, const Function_view& function, const double sigma, const double target_edge_length,
+                const bool with_self_intersections)
+{
+  Figures figures;
+  figures.topology = Hde::measure_topology(mesh);
+  figures.shape = Hde::measure_shape(mesh);
+  if (function.has_values())
+    figures.of_function = measure_by_function(mesh, function, sigma, target_edge_length);
   if (with_self_intersections)
     figures.self_intersections = number_of_self_intersections(mesh);
   return figures;

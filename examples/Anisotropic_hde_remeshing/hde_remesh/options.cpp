@@ -28,6 +28,8 @@ namespace {
 const char* help_header()
 {
   return "Remeshes the surface of a triangle mesh with triangles that follow its curvature.\n\n"
+         "If only a number of triangles is given, of at most 3/4 of those of IN, the distance to IN\n"
+         "leads, measured both ways. Else it goes as follows.\n\n"
          "The vertices of the mesh IN and their normals give a smooth function, by radial basis\n"
          "functions, whose zero set is the surface. New vertices are put on that surface, not on the\n"
          "flat triangles of IN. Lengths are measured in six dimensions, position and sigma times unit\n"
@@ -182,7 +184,8 @@ void add_report_options(CLI::App& app, Options& o)
       ->group(group);
   app.add_flag("--arrays", o.arrays,
                "write figures of each triangle and vertex into OUT, which must be PLY or VTP: aspect ratio,\n"
-               "least 6D angle, distance to the surface, normal")
+               "least 6D angle, distance to the surface, normal; by measured error, the angle in space and the\n"
+               "distance to IN")
       ->group(group);
   app.add_flag("--self-intersections", o.self_intersections, "count the pairs of triangles that intersect, before and after")
       ->group(group);
@@ -224,6 +227,7 @@ void check_values(const Options& o)
   require_length("--absolute-sigma", o.absolute_sigma, true);
   require("--metric", o.metric, o.metric && *o.metric >= 1, "from 1 to inf");
   require("--metric", o.metric, !o.length, "left out with --length, which is 6D");
+  require_length("--merge", o.merge);
   require_length("--tau", o.tau, true);
   require("--field", o.adaptive_sigma ? std::optional<std::string>(o.field) : std::nullopt, o.field.empty(),
           "left out with --sigma auto");
@@ -295,8 +299,12 @@ std::optional<Options> read_command_line(const int argc, char** argv)
   app.add_option("IN", o.input, "the mesh: triangles, manifold, with or without boundary")->required()->type_name("");
   app.add_option("OUT", o.output, "where the new mesh is written")->required()->type_name("");
   auto* repair = app.add_flag("--repair", o.repair,
-                              "mend IN first: merge equal points, drop double faces, orient the faces alike, double the\n"
-                              "points where sheets touch, divide polygons into triangles, stitch edges");
+                              "mend IN first: merge equal points, close cracks, drop double faces and walls between solids,\n"
+                              "orient the faces alike, double the points where sheets touch, divide polygons into triangles,\n"
+                              "stitch edges");
+  app.add_option("--merge", o.merge,
+                 "make points of IN one that are no further apart, in the unit of the mesh, where this joins two boundary\n"
+                 "edges. Without it, in STL files and with --repair: 4 units in the last place of the coordinates");
   add_size_options(app, o);
   add_embedding_options(app, o);
   app.get_option("--field")->excludes(repair);

@@ -39,6 +39,7 @@ struct Options
   std::string json, report;
   bool arrays = false;
   bool repair = false;
+  std::optional<double> merge; // a length
   bool self_intersections = false, no_distance = false, quiet = false;
 };
 

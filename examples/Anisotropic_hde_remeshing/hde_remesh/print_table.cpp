@@ -52,8 +52,8 @@ public:
     if (m_report.sharp)
       print_features(m_report.result.curves_before, m_report.result.curves_after);
     print_shape(m_report.before.shape, m_report.after.shape);
-    print_embedding(m_report.before.embedding, m_report.after.embedding);
-    print_alignment(m_report.before.alignment, m_report.after.alignment);
+    if (m_report.before.of_function && m_report.after.of_function)
+      print_by_function(*m_report.before.of_function, *m_report.after.of_function);
     print_surface();
     m_stream << '\n';
     print_stages();
@@ -97,12 +97,13 @@ private:
     row("folded edges", text(before.number_of_folded_edges), text(after.number_of_folded_edges));
   }
 
-  void print_embedding(const Hde::Embedding_measures& before, const Hde::Embedding_measures& after)
+  void print_by_function(const Function_figures& before, const Function_figures& after)
   {
-    const Hde::Embedding_measures& to_target = m_report.after.embedding_to_target;
     if (m_report.has_6d_lengths)
-      print_lengths(before, after, to_target);
-    row("folded faces", text(before.number_of_folded_faces), text(after.number_of_folded_faces));
+      print_lengths(before.embedding, after.embedding, after.embedding_to_target);
+    row("folded faces", text(before.embedding.number_of_folded_faces), text(after.embedding.number_of_folded_faces));
+    print_alignment(before.alignment, after.alignment);
+    print_zero_set(before, after);
   }
 
   void print_lengths(const Hde::Embedding_measures& before, const Hde::Embedding_measures& after,
@@ -125,11 +126,8 @@ private:
     row("their angle to the flatter direction, mean, degrees", angle(before), angle(after));
   }
 
-  void print_surface()
+  void print_zero_set(const Function_figures& before, const Function_figures& after)
   {
-    const Figures &before = m_report.before, &after = m_report.after;
-    if (before.self_intersections || after.self_intersections)
-      row("pairs of faces that intersect", text(before.self_intersections), text(after.self_intersections));
     const auto both = [&](const std::string& name, const double of_before, const double of_after)
     { row(name, relative(of_before), relative(of_after)); };
     both("interior vertices to the zero set, largest", before.zero_set.interior_vertex_max, after.zero_set.interior_vertex_max);
@@ -143,6 +141,13 @@ private:
         over_bound(after.zero_set.face_rms, after.bounds.rms_on_surface));
     row("largest distance over the least possible", over_bound(before.zero_set.face_max, before.bounds.max_on_surface),
         over_bound(after.zero_set.face_max, after.bounds.max_on_surface));
+  }
+
+  void print_surface()
+  {
+    const Figures &before = m_report.before, &after = m_report.after;
+    if (before.self_intersections || after.self_intersections)
+      row("pairs of faces that intersect", text(before.self_intersections), text(after.self_intersections));
     if (m_report.error)
       row("bound on the distance, without curves", "-", relative(m_report.result.approximation_error));
     if (!m_report.distance)
@@ -169,8 +174,8 @@ private:
     const Hde::Remeshing_result& result = m_report.result;
     if (m_report.pieces)
       print_pieces(*m_report.pieces);
-    else
-      print_function(m_report.rbf);
+    else if (m_report.rbf)
+      print_function(*m_report.rbf);
     m_stream << "remeshing: " << result.number_of_iterations << " iterations, " << result.number_of_splits << " splits, "
              << result.number_of_collapses << " contractions, " << result.number_of_flips << " flips; " << m_report.embedding
              << '\n';
@@ -180,14 +185,20 @@ private:
                        ? "the number of faces was reached before the error asked for"
                        : "the error asked for is not kept: the function has no surface near some faces")
                << '\n';
+    if (m_report.has_function())
+      print_projections(result);
+    m_stream << "D = " << number(m_report.diagonal, 6) << ", the diagonal of the bounding box\n";
+    m_stream << m_report.input << " -> " << m_report.output << '\n';
+  }
+
+  void print_projections(const Hde::Remeshing_result& result)
+  {
     m_stream << "projections: " << result.projections.newton << " by Newton's method, " << result.projections.bisection
              << " by bisection, " << result.projections.closest_point << " by the closest point of the input\n";
     if (result.number_of_unprojected_vertices > 0)
       m_stream << result.number_of_unprojected_vertices
                << " vertices are not on the surface: no way leads there, or the last one would fold a face or make it "
                   "intersect others\n";
-    m_stream << "D = " << number(m_report.diagonal, 6) << ", the diagonal of the bounding box\n";
-    m_stream << m_report.input << " -> " << m_report.output << '\n';
   }
 
   void print_pieces(const Hde::Piecewise_rbf_diagnostics& pieces)

@@ -11,6 +11,7 @@
 #include "build_function.h"
 #include "remesh_with.h"
 
+#include <algorithm>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -60,22 +61,22 @@ Remeshing_result remesh_with_embedding(Mesh& mesh, const Function_view& function
 
 Remeshing_scheme scheme_of(const Sizes& sizes, const Options& o, const std::size_t number_of_faces)
 {
-  static constexpr double largest_ratio = 0.75;
   if (o.scheme == "paper")
     return Remeshing_scheme::PAPER;
   if (o.scheme == "embedding")
     return Remeshing_scheme::EMBEDDING;
   const bool is_count_given = (o.faces || o.vertices) && !sizes.error && !sizes.edge_length;
-  const double ratio = static_cast<double>(sizes.number_of_faces.value_or(0)) / static_cast<double>(number_of_faces);
   if (embedding_of(sizes, o) != Embedding::NORMALS || !is_count_given)
     return Remeshing_scheme::EMBEDDING;
-  if (o.scheme == "measured-error")
-    return ratio < 1 ? Remeshing_scheme::MEASURED_ERROR : Remeshing_scheme::EMBEDDING;
+  const bool is_asked_for = o.scheme == "measured-error";
   const bool is_embedding_given =
       o.sigma || o.absolute_sigma || o.relaxation_steps || o.smoothing_ratio || o.collapse_ratio || o.split_ratio;
   const bool is_function_given = o.kernel != "r3" || o.shape || o.patches || o.overlap || o.offset || o.smoothing;
-  return is_embedding_given || is_function_given || ratio > largest_ratio ? Remeshing_scheme::EMBEDDING
-                                                                          : Remeshing_scheme::MEASURED_ERROR;
+  const bool is_by_measured_error = (is_asked_for || !(is_embedding_given || is_function_given)) &&
+                                    CGAL::Anisotropic_hde_remeshing::internal::is_by_measured_error(
+                                        is_asked_for ? Remeshing_scheme::MEASURED_ERROR : Remeshing_scheme::DEFAULT,
+                                        static_cast<double>(sizes.number_of_faces.value()), number_of_faces);
+  return is_by_measured_error ? Remeshing_scheme::MEASURED_ERROR : Remeshing_scheme::EMBEDDING;
 }
 
 std::string scheme_text(const Remeshing_scheme scheme)
@@ -119,17 +120,40 @@ bool has_6d_lengths(const Sizes& sizes, const Options& options)
   return embedding_of(sizes, options) == Embedding::NORMALS && sizes.scheme != Remeshing_scheme::MEASURED_ERROR;
 }
 
-Remeshed remesh(const Mesh& mesh, const Sizes& sizes, const Options& options, Progress& progress)
+namespace {
+
+void build_function(const Mesh& mesh, const Options& options, Remeshed& remeshed)
 {
-  Remeshed remeshed;
-  progress.stage("smooth function");
   Stopwatch stopwatch;
-  Built_function built = build_function(mesh, options);
+  const Built_function built = build_function(mesh, options);
   remeshed.function_seconds = stopwatch.seconds();
   remeshed.function = built.function;
   remeshed.kernel = built.kernel;
   remeshed.rbf = built.rbf;
   remeshed.pieces = built.pieces;
+}
+
+std::size_t number_of_regions(const Mesh& mesh)
+{
+  const Creases creases = creases_of(mesh);
+  std::size_t number = 1;
+  for (const Mesh::Face_index f : mesh.faces())
+    number = (std::max)(number, creases.region[f] + 1);
+  return number;
+}
+
+} // namespace
+
+Remeshed remesh(const Mesh& mesh, const Sizes& sizes, const Options& options, Progress& progress)
+{
+  Remeshed remeshed;
+  if (sizes.scheme == Remeshing_scheme::MEASURED_ERROR)
+    remeshed.function = Function_view::without_values(number_of_regions(mesh));
+  else
+  {
+    progress.stage("smooth function");
+    build_function(mesh, options, remeshed);
+  }
   remeshed.mesh = mesh;
   is_listening() = 1;
   remeshed.result = remesh_with_embedding(remeshed.mesh, remeshed.function, sizes, options, progress);

@@ -39,16 +39,16 @@ struct Sizes
 struct Remeshed
 {
   Mesh mesh;
-  Function_view function;
-  std::string kernel;
+  Function_view function; // without values by measured error
+  std::string kernel;     // none without a function
   double function_seconds = 0;
-  CGAL::Anisotropic_hde_remeshing::Rbf_diagnostics rbf;
+  std::optional<CGAL::Anisotropic_hde_remeshing::Rbf_diagnostics> rbf;
   std::optional<CGAL::Anisotropic_hde_remeshing::Piecewise_rbf_diagnostics> pieces; // in its place with --sharp
   CGAL::Anisotropic_hde_remeshing::Remeshing_result result;
 };
 
 // The scheme of the library, and its name on the command line. By default the measured error leads where a number of triangles is
-// asked for that is at most three quarters of that of IN, and nothing that concerns an embedding or the function.
+// asked for that is not too near to that of IN, and nothing that concerns an embedding or the function.
 CGAL::Anisotropic_hde_remeshing::Remeshing_scheme scheme_of(const Sizes& sizes, const Options& options,
                                                             std::size_t number_of_faces);
 std::string scheme_text(CGAL::Anisotropic_hde_remeshing::Remeshing_scheme scheme);
@@ -57,7 +57,7 @@ std::string scheme_text(CGAL::Anisotropic_hde_remeshing::Remeshing_scheme scheme
 std::string embedding_text(const Sizes& sizes, const Options& options);
 bool has_6d_lengths(const Sizes& sizes, const Options& options);
 
-// Builds the function with the kernel asked for and remeshes a copy of the mesh.
+// Remeshes a copy of the mesh, on a function with the kernel asked for. By measured error there is none.
 Remeshed remesh(const Mesh& mesh, const Sizes& sizes, const Options& options, Progress& progress);
 
 } // namespace hde_remesh

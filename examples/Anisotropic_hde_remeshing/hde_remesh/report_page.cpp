@@ -120,12 +120,16 @@ std::vector<Figure> figures_of_faces(const Element_figures& before, const Elemen
   std::vector<Figure> result;
   result.push_back({"aspect_ratio", "aspect ratio", "", before.aspect_ratios, after.aspect_ratios,
                     common_scale(before.aspect_ratios, after.aspect_ratios, 1, 2, true)});
-  result.push_back(
-      {"smallest_angle", "least 6D angle", "\u00b0", before.smallest_angles, after.smallest_angles, {0, 60, false}});
+  result.push_back({"smallest_angle",
+                    before.is_by_function ? "least 6D angle" : "least angle",
+                    "\u00b0",
+                    before.smallest_angles,
+                    after.smallest_angles,
+                    {0, 60, false}});
   const Values distances_before = divided(before.face_distances, diagonal),
                distances_after = divided(after.face_distances, diagonal);
-  result.push_back({"distance", "distance to the surface", " D", distances_before, distances_after,
-                    common_scale(distances_before, distances_after, 0, 1e-12, false)});
+  result.push_back({"distance", before.is_by_function ? "distance to the surface" : "distance to the other mesh", " D",
+                    distances_before, distances_after, common_scale(distances_before, distances_after, 0, 1e-12, false)});
   return result;
 }
 

@@ -76,12 +76,15 @@ Json to_json(const Hde::Approximation_bounds& m)
 
 Json to_json(const Figures& figures)
 {
-  Json json = {{"topology", to_json(figures.topology)},
-               {"aspect_ratio", to_json(figures.shape)},
-               {"embedding", to_json(figures.embedding, figures.embedding_to_target)},
-               {"alignment", to_json(figures.alignment)},
-               {"distance_to_zero_set", to_json(figures.zero_set)},
-               {"least_distance_possible", to_json(figures.bounds)}};
+  Json json = {{"topology", to_json(figures.topology)}, {"aspect_ratio", to_json(figures.shape)}};
+  if (figures.of_function)
+  {
+    const Function_figures& of_function = *figures.of_function;
+    json["embedding"] = to_json(of_function.embedding, of_function.embedding_to_target);
+    json["alignment"] = to_json(of_function.alignment);
+    json["distance_to_zero_set"] = to_json(of_function.zero_set);
+    json["least_distance_possible"] = to_json(of_function.bounds);
+  }
   if (figures.self_intersections)
     json["self_intersections"] = *figures.self_intersections;
   return json;
@@ -159,10 +162,11 @@ Json to_json(const Hde::Distance_measures& m)
 
 Json to_json(const Repair& repair)
 {
-  return {{"merged_points", repair.merged_points},   {"removed_points", repair.removed_points},
-          {"removed_faces", repair.removed_faces},   {"turned_faces", repair.turned_faces},
-          {"doubled_points", repair.doubled_points}, {"divided_faces", repair.divided_faces},
-          {"stitched_edges", repair.stitched_edges}};
+  return {{"merged_points", repair.merged_points},   {"near_points", repair.near_points},
+          {"wall_faces", repair.wall_faces},         {"added_points", repair.added_points},
+          {"removed_points", repair.removed_points}, {"removed_faces", repair.removed_faces},
+          {"turned_faces", repair.turned_faces},     {"doubled_points", repair.doubled_points},
+          {"divided_faces", repair.divided_faces},   {"stitched_edges", repair.stitched_edges}};
 }
 
 } // namespace
@@ -174,10 +178,16 @@ std::string to_json(const Report& report)
                {"output", report.output},
                {"unit", "lengths and distances are in the unit of the mesh, angles in degrees"},
                {"diagonal", report.diagonal},
-               {"sigma", report.result.sigma},
-               {"kernel", report.kernel},
                {"scheme", report.scheme},
                {"isolated_vertices", report.number_of_isolated_vertices}};
+  if (report.has_function())
+  {
+    json["sigma"] = report.result.sigma;
+    json["kernel"] = report.kernel;
+    json["target_edge_length"] = report.result.target_edge_length;
+  }
+  if (report.tolerance > 0)
+    json["cracks"] = {{"tolerance", report.tolerance}, {"merged_points", report.number_of_merged_points}};
   if (report.repair)
     json["repair"] = to_json(*report.repair);
   if (report.number_of_target_faces)
@@ -193,8 +203,8 @@ std::string to_json(const Report& report)
     json["error_bound"] = report.result.approximation_error;
     json["error_is_kept"] = report.result.approximation_error <= *report.error * (1 + 1e-12);
   }
+  json["notes"] = report.notes;
   json["warnings"] = report.warnings;
-  json["target_edge_length"] = report.result.target_edge_length;
   json["before"] = to_json(report.before);
   json["after"] = to_json(report.after);
   if (report.distance)
@@ -202,7 +212,8 @@ std::string to_json(const Report& report)
   for (const auto& stage : report.stages)
     json["seconds"][stage.first] = stage.second;
   json["remeshing"] = to_json(report.result);
-  json["function"] = report.pieces ? to_json(*report.pieces) : to_json(report.rbf);
+  if (report.has_function())
+    json["function"] = report.pieces ? to_json(*report.pieces) : to_json(*report.rbf);
   // a file name need not be UTF-8, which JSON is
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

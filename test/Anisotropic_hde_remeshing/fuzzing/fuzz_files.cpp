@@ -52,7 +52,7 @@ void remesh(const std::string& file_name, const Parameters& parameters)
   if (parameters.is_repaired)
   {
     hde_remesh::Repair repair;
-    soup = hde_remesh::repaired(soup, repair);
+    soup = hde_remesh::repaired(soup, 4 * soup.rounding, repair);
   }
   const hde_remesh::Mesh input = hde_remesh::mesh_of_soup(soup, file_name).mesh;
   hde_remesh::Mesh mesh = input;

@@ -222,18 +222,21 @@ constexpr bool leaves_embedding_and_function_open = is_given<NamedParameters, in
                       internal_np::offset_distance_t, internal_np::relative_offset_distance_t, internal_np::two_sided_offsets_t,
                       internal_np::smoothing_t, internal_np::radial_function_t, internal_np::vertex_normal_map_t>;
 
+// Whether the measured error leads where nothing but a number of faces is asked for. The caller's scheme has the first word.
+inline bool is_by_measured_error(const Remeshing_scheme scheme, const double number_of_target_faces,
+                                 const std::size_t number_of_faces)
+{
+  static constexpr double largest_ratio = 0.75; // of the number of faces to that of the input
+  const double ratio = number_of_target_faces / double(number_of_faces);
+  return scheme == Remeshing_scheme::MEASURED_ERROR ? ratio < 1 : scheme == Remeshing_scheme::DEFAULT && ratio <= largest_ratio;
+}
+
 // Whether the measured error leads, and no function is needed.
 template <typename NamedParameters>
 bool is_by_measured_error(const NamedParameters& np, const std::size_t number_of_faces)
 {
-  static constexpr double largest_ratio = 0.75; // of the number of faces to that of the input
   if constexpr (leaves_embedding_and_function_open<NamedParameters>)
-  {
-    const Remeshing_scheme scheme = iteration_parameters(np).scheme;
-    const double ratio = target_length(np, 1, 1, 1).number_of_faces() / double(number_of_faces);
-    return scheme == Remeshing_scheme::MEASURED_ERROR ? ratio < 1
-                                                      : scheme == Remeshing_scheme::DEFAULT && ratio <= largest_ratio;
-  }
+    return is_by_measured_error(iteration_parameters(np).scheme, target_length(np, 1, 1, 1).number_of_faces(), number_of_faces);
   else
     return false;
 }

@@ -1,0 +1,146 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+#include "read_mesh.h"
+#include "Failure.h"
+#include "Format.h"
+#include "cracks.h"
+#include "creases.h"
+#include "field_file.h"
+#include "in_short.h"
+#include "measure.h"
+#include "mesh_file.h"
+#include "repair.h"
+
+#include <CGAL/boost/graph/helpers.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace hde_remesh {
+
+namespace {
+
+void read_field(const Options& options, Checked_mesh& input)
+{
+  const std::vector<double> values = read_vertex_property(options.input, options.field);
+  Field field = add_field(input.mesh);
+  for (const Mesh::Vertex_index v : input.mesh.vertices())
+    field[v] = values.at(input.positions[v]);
+}
+
+// Points that are no further apart close cracks: those of a few roundings in STL files, which have no numbers of vertices. The points
+// of other files are what they are, unless they are to be repaired.
+double tolerance_of_cracks(const Options& options, const double rounding)
+{
+  static constexpr double number_of_roundings = 4;
+  const bool is_rounding_mended = options.repair || format_of(options.input) == Format::STL;
+  return (std::max)(options.merge.value_or(0), is_rounding_mended ? number_of_roundings * rounding : 0);
+}
+
+void mend(const Options& options, Soup& soup, Report& report)
+{
+  const double tolerance = tolerance_of_cracks(options, soup.rounding);
+  if (options.repair)
+  {
+    soup = repaired(std::move(soup), tolerance, report.repair.emplace());
+    report.notes.push_back("repair: " + report.repair->text());
+    report.number_of_merged_points = report.repair->near_points;
+  }
+  else if (tolerance > 0)
+  {
+    report.number_of_merged_points = close_cracks(soup, tolerance, Orientation::OPPOSITE);
+    if (report.number_of_merged_points > 0)
+      report.notes.push_back(std::to_string(report.number_of_merged_points) + " points are one with others within " +
+                             in_short(tolerance) + ", which closes cracks");
+  }
+  report.tolerance = tolerance;
+}
+
+// rounded up to two digits
+double rounded_up(const double value)
+{
+  const double unit = std::pow(10., std::floor(std::log10(value)) - 1);
+  return std::ceil(value / unit * (1 + 1e-9)) * unit;
+}
+
+// A mesh that is open, but only by cracks: which option closes them.
+void advise_on_cracks(const Soup& soup, const double diagonal, Report& report)
+{
+  static constexpr double widest = 1e-5; // of the diagonal
+  const std::optional<double> width = width_of_cracks(soup, widest * diagonal);
+  if (!width)
+    return;
+  if (*width == 0)
+    report.warnings.push_back("IN is open only where points coincide: --repair joins them");
+  else
+  {
+    const std::string length = in_short(rounded_up(*width));
+    report.warnings.push_back("IN is open only by cracks of up to " + length + ": --merge " + length + " closes them");
+  }
+}
+
+// Triangles that have no neighbour, though their points are there several times.
+void advise_on_single_triangles(const Checked_mesh& input, Report& report)
+{
+  static constexpr std::size_t many = 100;
+  const Mesh& mesh = input.mesh;
+  const auto is_single = [&](const Mesh::Face_index f)
+  {
+    const Mesh::Halfedge_index h = mesh.halfedge(f);
+    return CGAL::is_border_edge(h, mesh) && CGAL::is_border_edge(mesh.next(h), mesh) &&
+           CGAL::is_border_edge(mesh.prev(h), mesh);
+  };
+  const auto number = static_cast<std::size_t>(std::count_if(mesh.faces().begin(), mesh.faces().end(), is_single));
+  if (number < many)
+    return;
+  const std::set<Point_3> points(mesh.points().begin(), mesh.points().end());
+  if (points.size() + number <= mesh.number_of_vertices())
+    report.warnings.push_back(
+        std::to_string(number) + " triangles of IN have no neighbour, as each has points of its own, though " +
+        std::to_string(mesh.number_of_vertices() - points.size()) + " coincide with others: --repair joins them");
+}
+
+void advise(const Soup& soup, const Checked_mesh& input, const double diagonal, Report& report)
+{
+  if (CGAL::is_closed(input.mesh))
+    return;
+  const std::size_t number_of_warnings = report.warnings.size();
+  advise_on_cracks(soup, diagonal, report);
+  if (report.warnings.size() == number_of_warnings)
+    advise_on_single_triangles(input, report);
+}
+
+} // namespace
+
+Checked_mesh read_mesh(const Options& options, Report& report)
+{
+  Soup soup = read_soup(options.input);
+  check_points(soup, options.input);
+  report.notes = soup.notes;
+  mend(options, soup, report);
+  Checked_mesh input = mesh_of_soup(soup, options.input);
+  if (input.number_of_isolated_vertices > 0)
+    report.notes.push_back(std::to_string(input.number_of_isolated_vertices) + " vertices without a face are left out");
+  const double d = diagonal(input.mesh);
+  if (!std::isfinite(d * d) || !(d * d > 0))
+    throw Failure(in_quotes(options.input) + ": its bounding box has the diagonal " + std::to_string(d) +
+                  ", with which nobody can compute");
+  advise(soup, input, d, report);
+  if (!options.field.empty())
+    read_field(options, input);
+  find_creases(input.mesh, options);
+  return input;
+}
+
+} // namespace hde_remesh
