@@ -14,6 +14,10 @@
 
 #include "check.h"
 
+#include <CGAL/IO/OFF.h>
+#include <CGAL/IO/PLY.h>
+#include <CGAL/IO/STL.h>
+
 #include <boost/endian/conversion.hpp>
 
 #include <algorithm>
@@ -22,8 +26,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <functional>
 #include <iostream>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -265,6 +272,8 @@ void test_obj()
   check_refused(read, replaced(obj, "f 1 3 2", "f 1 3 -5"),
                 "line 5: expected a vertex of face 1 among the 4 before it, found '-5'");
   check_refused(read, replaced(obj, "f 1 3 2", "f"), "line 5: expected a vertex of face 1, found 'the end of the line'");
+  check_refused(read, replaced(obj, "f 1 3 2", "f1 3 2"), "line 5: expected v, f or another keyword of OBJ, found 'f1'");
+  check_refused(read, replaced(obj, "f 1 3 2", "1 3 2"), "line 5: expected v, f or another keyword of OBJ, found '1'");
   check_refused(read, replaced(obj, "v 1 0 0", "v 1 0"), "line 2: expected a coordinate of vertex 2");
   check_refused(read, replaced(obj, "v 1 0 0", "v 1 X 0"), "line 2");
 }
@@ -290,6 +299,13 @@ void test_ply()
                                                 "0 0 0 5\n1 0 0 6\n0 1 0 7\n0 0 1.5 8\n"),
                                        "heat") == std::vector<double>{5, 6, 7, 8}));
   CHECK(hde_remesh::read_ply_property(ply, "heat").empty());
+  check_refused(read, replaced(ply, "float z\n", "float z\nproperty float x\n"),
+                "line 7: the element 'vertex' has two properties 'x'");
+  check_refused(read, replaced(ply, "element face 4", "element vertex 4\nelement face 4"),
+                "line 7: there are two elements 'vertex'");
+  check_refused(read, replaced(ply, "1 0 0\n", "1 0\n"), "line 11: expected z of vertex 2 of 4, found 'the end of the line'");
+  check_refused(read, replaced(ply, "1 0 0\n", "1 0 0 0\n"), "line 11: expected the end of the line before vertex 3 of 4");
+  check_read("a stream of numbers", read, ply.substr(0, ply.find("0 0 0")) + replaced(off_points + off_faces, "\n", " "));
   check_refused(read, replaced(ply, "face 4", "face 3"),
                 "line 17: expected the end of the file after the elements of the header");
   check_refused(read, replaced(ply, "face 4", "face 5"),
@@ -356,6 +372,42 @@ void test_each_line(const Read& read, const std::string& text, const std::size_t
     }
 }
 
+// CGAL's meshes as CGAL reads them
+void test_meshes_of_cgal()
+{
+  const std::filesystem::path folder = std::filesystem::path(CGAL::data_file_path("meshes/elephant.off")).parent_path();
+  std::size_t number = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+  {
+    const std::string extension = entry.path().extension().string();
+    if (entry.file_size() > 1000000 || (extension != ".off" && extension != ".stl" && extension != ".ply"))
+      continue;
+    std::ifstream stream(entry.path(), std::ios::binary);
+    std::ostringstream text;
+    text << stream.rdbuf();
+    std::istringstream again(text.str());
+    Soup soup, of_cgal;
+    bool is_read = false;
+    const auto np = CGAL::parameters::verbose(false);
+    if (extension == ".off")
+      is_read = CGAL::IO::read_OFF(again, of_cgal.points, of_cgal.faces, np);
+    else if (extension == ".stl")
+      is_read = CGAL::IO::read_STL(again, of_cgal.points, of_cgal.faces, np);
+    else
+      is_read = CGAL::IO::read_PLY(again, of_cgal.points, of_cgal.faces, np);
+    const Read read = extension == ".off"   ? Read(hde_remesh::read_off)
+                      : extension == ".stl" ? Read(hde_remesh::read_stl)
+                                            : Read([](const std::string& bytes) { return hde_remesh::read_ply(bytes); });
+    if (!is_read || of_cgal.faces.empty() || !refusal(read, text.str()).empty())
+      continue; // some are broken: prim.off has more faces than it says
+    soup = read(text.str());
+    CHECK(soup.points == of_cgal.points && soup.faces == of_cgal.faces);
+    ++number;
+  }
+  std::cout << number << " meshes of CGAL" << std::endl;
+  CHECK(number > 80);
+}
+
 } // namespace
 
 int main()
@@ -367,5 +419,6 @@ int main()
   test_stl();
   test_each_line(hde_remesh::read_off, off, 1);
   test_each_line([](const std::string& text) { return hde_remesh::read_ply(text); }, ply, 9);
+  test_meshes_of_cgal();
   return check_summary();
 }

@@ -81,6 +81,8 @@ private:
     if (element.number > m_text.size()) // of which each has a byte at least
       fail("the file is too short for " + std::string(words[2]) + " of " + std::string(words[1]));
     element.name = words[1];
+    if (has_name(m_header.elements, element.name))
+      fail("there are two elements " + excerpt(element.name));
     m_header.elements.push_back(element);
   }
 
@@ -101,7 +103,16 @@ private:
       if (*property.size_type == Ply_type::FLOAT32 || *property.size_type == Ply_type::FLOAT64)
         fail("the size of a list is no whole number");
     }
-    m_header.elements.back().properties.push_back(property);
+    Ply_element& element = m_header.elements.back();
+    if (has_name(element.properties, property.name))
+      fail("the element " + excerpt(element.name) + " has two properties " + excerpt(property.name));
+    element.properties.push_back(property);
+  }
+
+  template <typename Named>
+  static bool has_name(const std::vector<Named>& those, const std::string& name)
+  {
+    return std::any_of(those.begin(), those.end(), [&](const Named& one) { return one.name == name; });
   }
 
   Ply_type type(const std::string_view name) const

@@ -11,6 +11,7 @@
 #include "readers.h"
 #include "rounding.h"
 
+#include <cctype>
 #include <charconv>
 #include <string_view>
 #include <vector>
@@ -33,6 +34,8 @@ public:
         read_point();
       else if (keyword == "f")
         read_face();
+      else if (!begins_with_letters(keyword))
+        m_reader.fail("v, f or another keyword of OBJ", keyword);
     }
     check_faces();
     m_soup.rounding = rounding_of_text(m_soup.points, m_reader);
@@ -40,6 +43,13 @@ public:
   }
 
 private:
+  // no line that has lost its keyword, or the blank behind it
+  static bool begins_with_letters(const std::string_view keyword)
+  {
+    const auto is_letter = [](const char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
+    return is_letter(keyword[0]) && (keyword.size() == 1 || keyword[1] == '_' || is_letter(keyword[1]));
+  }
+
   void read_point() // a weight or a colour may follow
   {
     const auto expected = [this] { return "a coordinate of vertex " + std::to_string(m_soup.points.size() + 1); };

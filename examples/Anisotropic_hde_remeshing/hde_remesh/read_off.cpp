@@ -39,7 +39,8 @@ public:
     for (std::size_t i = 0; i < m_number_of_faces; ++i)
       read_face(i);
     if (!m_reader.is_done())
-      m_reader.fail("the end of the file after " + std::to_string(m_number_of_faces) + " faces", m_reader.words().front());
+      m_reader.fail("the end of the file after " + std::to_string(m_number_of_faces) + " faces",
+                    m_reader.word([] { return std::string(); }));
     m_soup.rounding = rounding_of_text(m_soup.points, m_reader);
     return std::move(m_soup);
   }

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -24,19 +25,33 @@ namespace hde_remesh {
 
 namespace {
 
-// the numbers of a text
+// The numbers of a text. An element stands in a line, unless there are fewer lines than elements.
 class Text_numbers
 {
 public:
   Text_numbers(const std::string& text, const Ply_header& header)
     : m_reader(text, Text_reader::PLAIN, header.end, header.number_of_lines)
   {
+    std::size_t number_of_elements = 0;
+    for (const Ply_element& element : header.elements)
+      number_of_elements += element.properties.empty() ? 0 : element.number;
+    m_is_by_lines = m_reader.number_of_lines_left() >= number_of_elements;
+  }
+
+  void begin_element(const Ply_element& element, const std::size_t i)
+  {
+    if (!m_is_by_lines || element.properties.empty())
+      return;
+    if (!m_reader.is_line_done())
+      m_reader.fail("the end of the line before " + element.name + " " + ordinal(i, element.number), m_reader.word(none));
+    if (!m_reader.next_line())
+      m_reader.fail(element.name + " " + ordinal(i, element.number), "");
   }
 
   template <typename Expected>
   double number(Ply_type, const Expected& expected)
   {
-    const std::string_view word = m_reader.word(expected);
+    const std::string_view word = next_word(expected);
     double value = 0;
     if (!Text_reader::to_number(word, value))
       m_reader.fail("a number, " + expected(), word);
@@ -44,9 +59,15 @@ public:
   }
 
   template <typename Expected>
-  double coordinate(Ply_type, const Expected& expected)
+  double coordinate(const Ply_type type, const Expected& expected)
   {
-    return m_reader.finite_number(m_reader.word(expected), expected);
+    const std::string_view word = next_word(expected);
+    const double value = m_reader.finite_number(word, expected);
+    if (type != Ply_type::FLOAT32)
+      return value;
+    if (std::abs(value) > double((std::numeric_limits<float>::max)()))
+      m_reader.fail("a number that is no larger than a float, " + expected(), word);
+    return static_cast<double>(static_cast<float>(value)); // as the header has it
   }
 
   [[noreturn]] void fail(const std::string& expected, const double found) const
@@ -63,14 +84,29 @@ public:
 
   void expect_end(const std::string& expected)
   {
-    if (!m_reader.is_done())
-      m_reader.fail(expected, m_reader.words().front());
+    if (!m_reader.is_line_done() || m_reader.next_line())
+      m_reader.fail(expected, m_reader.word(none));
   }
 
-  double rounding(const std::vector<Point_3>& points, Ply_type) const { return rounding_of_text(points, m_reader); }
+  double rounding(const std::vector<Point_3>& points, const Ply_type type) const
+  {
+    const double of_type = type == Ply_type::FLOAT32 ? rounding_of_floats(points) : rounding_of_doubles(points);
+    return (std::max)(of_type, rounding_of_text(points, m_reader));
+  }
 
 private:
+  static std::string none() { return ""; }
+
+  template <typename Expected>
+  std::string_view next_word(const Expected& expected)
+  {
+    if (m_is_by_lines && m_reader.is_line_done())
+      m_reader.fail(expected(), "the end of the line");
+    return m_reader.word(expected);
+  }
+
   Text_reader m_reader;
+  bool m_is_by_lines;
 };
 
 // the numbers of a binary file
@@ -81,6 +117,8 @@ public:
     : m_text(text), m_bytes(text, header.format == Ply_format::BINARY_BIG_ENDIAN, header.end)
   {
   }
+
+  void begin_element(const Ply_element&, std::size_t) {}
 
   template <typename Expected>
   double number(const Ply_type type, const Expected& expected)
@@ -155,10 +193,13 @@ public:
   {
     for (const Ply_element& element : m_header.elements)
       for (std::size_t i = 0; i < element.number; ++i)
+      {
+        m_numbers.begin_element(element, i);
         if (element.name == "vertex")
           read_vertex(element, i);
         else
           read_other(element, i);
+      }
     m_numbers.expect_end("the end of the file after the elements of the header");
     check_faces();
     m_soup.rounding = m_numbers.rounding(m_soup.points, m_type_of_coordinates);

@@ -213,7 +213,7 @@ std::vector<std::pair<std::size_t, std::size_t>> pairs_of_solids(const Soup& sou
       return std::tie(angle, runs_back, side) < std::tie(other.angle, other.runs_back, other.side);
     }
   };
-  const auto [low, high] = sides[of_edge.front()].ends();
+  const std::size_t low = sides[of_edge.front()].ends().first, high = sides[of_edge.front()].ends().second;
   const Vector_3 axis = soup.points[high] - soup.points[low];
   const auto direction = [&](const std::size_t i)
   {
