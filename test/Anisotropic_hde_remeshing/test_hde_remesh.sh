@@ -231,6 +231,21 @@ check "is said" says "D apart"
 check "also in the JSON" grep -q 'D apart' w.json
 check "not when it is quiet" run 0 $sphere w.off --faces 12 --quiet
 check "which is silent" [ ! -s stderr ]
+printf 'OFF\n8 12\n0 0 0\n0 0 1\n0 1 0\n0 1 1\n1 0 0\n1 0 1\n1 1 0\n1 1 1\n3 0 1 3\n3 0 3 2\n3 4 6 7\n3 4 7 5\n3 0 4 5\n3 0 5 1
+3 2 3 7\n3 2 7 6\n3 0 2 6\n3 0 6 4\n3 1 5 7\n3 1 7 3\n' >cube.off
+check "a cube without --sharp" run 0 cube.off w.off --faces 200 --smoothing 1 --json w.json
+check "has rounded edges" says "edges of IN that turn by 40 degrees or more are up to"
+check "and nothing to smooth, as it has few points" says "--smoothing has no effect: 1 of 1 patches of the function are answered by IN itself"
+check "both in the JSON" [ "$(grep -Ec 'turn by 40 degrees|smoothing has no effect' w.json)" -eq 2 ]
+check "a cube with --sharp" run 0 cube.off w.off --faces 200 --sharp 30
+check "has none of it" [ ! -s stderr ]
+check "an option of the function by measured error" run 0 $sphere w.off --faces 500 --scheme measured-error --kernel gaussian $quick
+check "is told to have no effect" says "--kernel has no effect: by measured error there is no function"
+printf 'OFF\n5 4\n0 0 0\n1 0 0\n.5 0 0\n.5 1 0\n.5 -1 0\n3 0 2 3\n3 2 1 3\n3 0 1 2\n3 1 0 4\n' >flat.off
+check "a face without area" run 0 flat.off w.off --iterations 0 --json w.json
+check "is flipped" says "note: 1 faces without area are contracted or flipped"
+check "and counted" grep -q '"removed": 1' w.json
+check "there is none in the table" grep -Eq '^degenerate faces +0 +0$' stdout
 if command -v python3 >/dev/null; then
   check "valid json" python3 -m json.tool j.json /dev/null
   check "valid json on the standard output" python3 -m json.tool j2.json /dev/null

@@ -12,6 +12,7 @@
 #include "../../examples/Anisotropic_hde_remeshing/hde_remesh/Failure.h"
 #include "../../examples/Anisotropic_hde_remeshing/hde_remesh/Mesh.h"
 #include "../../examples/Anisotropic_hde_remeshing/hde_remesh/cracks.h"
+#include "../../examples/Anisotropic_hde_remeshing/hde_remesh/flat_faces.h"
 #include "../../examples/Anisotropic_hde_remeshing/hde_remesh/repair.h"
 #include "../../examples/Anisotropic_hde_remeshing/hde_remesh/sides.h"
 
@@ -373,6 +374,37 @@ void test_diagonals()
   }
 }
 
+// Faces without area go, the surface stays: those between an edge and its parts, and those at an edge of no length.
+void test_flat_faces()
+{
+  Soup soup = sphere(2);
+  for (std::size_t f = 0; f < 10; ++f)
+  {
+    const Face face = soup.faces[7 * f];
+    const std::size_t middle = soup.points.size();
+    const Point_3 &a = soup.points[face[0]], &b = soup.points[face[1]];
+    soup.points.push_back(f % 2 == 0 ? Point_3(a) : CGAL::midpoint(a, b));
+    soup.faces[7 * f] = {face[0], middle, face[2]};
+    soup.faces.push_back({middle, face[1], face[2]});
+    soup.faces.push_back({face[0], face[1], middle});
+  }
+  Mesh mesh = hde_remesh::mesh_of_soup(soup, "sphere").mesh;
+  const double volume = CGAL::Polygon_mesh_processing::volume(mesh);
+  const hde_remesh::Flat_faces flat = hde_remesh::remove_flat_faces(mesh);
+  CHECK(flat.number >= 10 && flat.number_left == 0); // two at each edge of no length; the middles of others are rounded
+  CHECK(CGAL::is_closed(mesh) && number_of_components(mesh) == 1);
+  CHECK(std::abs(CGAL::Polygon_mesh_processing::volume(mesh) - volume) < 1e-12);
+  const hde_remesh::Flat_faces again = hde_remesh::remove_flat_faces(mesh);
+  CHECK(again.number == 0);
+
+  Soup flat_only; // nothing would be left of it
+  flat_only.points = {Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(2, 0, 0)};
+  flat_only.faces = {{0, 1, 2}};
+  Mesh line = hde_remesh::mesh_of_soup(flat_only, "line").mesh;
+  const hde_remesh::Flat_faces of_line = hde_remesh::remove_flat_faces(line);
+  CHECK(of_line.number == 1 && of_line.number_left == 1 && line.number_of_faces() == 1);
+}
+
 } // namespace
 
 int main()
@@ -387,5 +419,6 @@ int main()
   test_touching_cubes();
   test_no_walls();
   test_diagonals();
+  test_flat_faces();
   return check_summary();
 }

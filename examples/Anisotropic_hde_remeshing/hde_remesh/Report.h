@@ -10,6 +10,7 @@
 #define HDE_REMESH_REPORT_H
 
 #include "Figures.h"
+#include "flat_faces.h"
 #include "repair.h"
 
 #include <CGAL/Anisotropic_hde_remeshing/Piecewise_rbf_diagnostics.h>
@@ -33,6 +34,7 @@ struct Report
   std::optional<Repair> repair;            // if it was asked for
   std::size_t number_of_merged_points = 0; // within the tolerance of others, which closes cracks
   double tolerance = 0;                    // 0 if none were to be merged
+  Flat_faces flat_faces;                   // of the input
   std::string kernel, scheme, embedding;   // no kernel without a function
   bool has_6d_lengths = true;              // the embedding is the paper's
   double diagonal = 0;                     // of the bounding box of the input

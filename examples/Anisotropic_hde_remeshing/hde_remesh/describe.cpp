@@ -9,15 +9,18 @@
 // What the report says of a run: its options, what it did, and what of its result no one expects.
 
 #include "describe.h"
+#include "in_short.h"
 #include "measure.h"
 
-#include <iomanip>
-#include <sstream>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace hde_remesh {
 
 namespace {
+
+constexpr double sharp_edge_degrees = 40;
 
 void measure_all(const Mesh& input, const Remeshed& remeshed, const Options& options, Report& report)
 {
@@ -48,6 +51,41 @@ void describe_run(const Options& options, const Checked_mesh& input, const Sizes
   report.pieces = remeshed.pieces;
 }
 
+// Options that change nothing, as there is no function, or none that they could change.
+void warn_of_options(const Options& options, const Remeshed& remeshed, Report& report)
+{
+  if (!remeshed.function.has_values())
+  {
+    const std::vector<std::pair<const char*, bool>> given = {
+        {"--kernel", options.kernel != "r3"},       {"--shape", options.shape.has_value()},
+        {"--patches", options.patches.has_value()}, {"--overlap", options.overlap.has_value()},
+        {"--offset", options.offset.has_value()},   {"--smoothing", options.smoothing.has_value()}};
+    for (const auto& [name, is_given] : given)
+      if (is_given)
+        report.warnings.push_back(std::string(name) + " has no effect: by measured error there is no function");
+    return;
+  }
+  const std::size_t number = remeshed.rbf ? remeshed.rbf->number_of_patches : remeshed.pieces->number_of_patches,
+                    on_fallback = remeshed.rbf ? remeshed.rbf->patches_on_fallback : remeshed.pieces->patches_on_fallback;
+  if (options.smoothing && 2 * on_fallback > number)
+    report.warnings.push_back("--smoothing has " + std::string(on_fallback == number ? "no" : "little") +
+                              " effect: " + std::to_string(on_fallback) + " of " + std::to_string(number) +
+                              " patches of the function are answered by IN itself");
+}
+
+// Sharp edges that no one wanted to keep, where they have become round.
+void warn_of_creases(const Mesh& input, const Remeshed& remeshed, const Options& options, Report& report)
+{
+  static constexpr double largest_distance = 0.01; // of the diagonal
+  if (options.sharp || !report.distance || !(report.distance->max() > largest_distance * report.diagonal))
+    return;
+  const double distance = distance_of_sharp_edges(input, remeshed.mesh, sharp_edge_degrees);
+  if (distance > largest_distance * report.diagonal)
+    report.warnings.push_back("edges of IN that turn by " + in_short(sharp_edge_degrees) + " degrees or more are up to " +
+                              in_short(distance / report.diagonal) + " D from OUT: --sharp " + in_short(sharp_edge_degrees) +
+                              " keeps them");
+}
+
 // what is no error, but no one expects
 void add_warnings(Report& report)
 {
@@ -55,11 +93,7 @@ void add_warnings(Report& report)
   const std::vector<std::string> of_result = report.result.warnings();
   report.warnings.insert(report.warnings.end(), of_result.begin(), of_result.end()); // after those of the reading
   if (report.distance && !(report.distance->max() <= largest_distance * report.diagonal))
-  {
-    std::ostringstream text;
-    text << "IN and OUT are up to " << std::setprecision(2) << report.distance->max() / report.diagonal << " D apart";
-    report.warnings.push_back(text.str());
-  }
+    report.warnings.push_back("IN and OUT are up to " + in_short(report.distance->max() / report.diagonal) + " D apart");
 }
 
 } // namespace
@@ -69,6 +103,8 @@ void describe(const Options& options, const Checked_mesh& input, const Sizes& si
   describe_run(options, input, sizes, remeshed, report);
   measure_all(input.mesh, remeshed, options, report);
   add_warnings(report);
+  warn_of_creases(input.mesh, remeshed, options, report);
+  warn_of_options(options, remeshed, report);
 }
 
 } // namespace hde_remesh

@@ -14,6 +14,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/zero_set_measures.h>
 
 #include <CGAL/Bbox_3.h>
+#include <CGAL/Polygon_mesh_processing/compute_normal.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 
 #include <cmath>
@@ -74,6 +75,25 @@ Figures measure(const Mesh& mesh, const Function_view& function, const double si
   if (with_self_intersections)
     figures.self_intersections = number_of_self_intersections(mesh);
   return figures;
+}
+
+double distance_of_sharp_edges(const Mesh& mesh, const Mesh& other, const double degrees)
+{
+  const auto normal = [&mesh](const Mesh::Halfedge_index h)
+  { return CGAL::Polygon_mesh_processing::compute_face_normal(mesh.face(h), mesh); };
+  const double largest_cosine = std::cos(degrees * CGAL_PI / 180);
+  std::vector<Point_3> points;
+  for (const Mesh::Edge_index e : mesh.edges())
+    if (!mesh.is_border(e) && normal(mesh.halfedge(e, 0)) * normal(mesh.halfedge(e, 1)) <= largest_cosine)
+    {
+      const Point_3 &p = mesh.point(mesh.vertex(e, 0)), &q = mesh.point(mesh.vertex(e, 1));
+      points.insert(points.end(), {p, CGAL::midpoint(p, q), q});
+    }
+  const Hde::internal::Distance_to_mesh<Mesh, CGAL::parameters::Default_named_parameters> distance(
+      other, CGAL::parameters::default_values());
+  const auto of_point = [&](const std::size_t i)
+  { return distance(Hde::internal::Vector(points[i].x(), points[i].y(), points[i].z())); };
+  return points.empty() ? 0 : Hde::internal::rms_and_max<Tag>(points.size(), of_point).max;
 }
 
 Hde::Distance_measures measure_distance(const Mesh& first, const Mesh& second)

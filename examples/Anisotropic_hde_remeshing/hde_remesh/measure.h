@@ -23,6 +23,9 @@ double diagonal(const Mesh& mesh);
 Figures measure(const Mesh& mesh, const Function_view& function, double sigma, double target_edge_length,
                 bool with_self_intersections);
 
+// of the ends and the middles of the edges of `mesh` that turn by so much, the largest one to `other`
+double distance_of_sharp_edges(const Mesh& mesh, const Mesh& other, double degrees);
+
 Hde::Distance_measures measure_distance(const Mesh& first, const Mesh& second);
 
 } // namespace hde_remesh

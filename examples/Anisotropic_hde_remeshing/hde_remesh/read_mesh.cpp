@@ -12,6 +12,7 @@
 #include "cracks.h"
 #include "creases.h"
 #include "field_file.h"
+#include "flat_faces.h"
 #include "in_short.h"
 #include "measure.h"
 #include "mesh_file.h"
@@ -121,6 +122,15 @@ void advise(const Soup& soup, const Checked_mesh& input, const double diagonal, 
     advise_on_single_triangles(input, report);
 }
 
+void tell_flat_faces(Report& report)
+{
+  const std::size_t left = report.flat_faces.number_left, removed = report.flat_faces.number - left;
+  if (removed > 0)
+    report.notes.push_back(std::to_string(removed) + " faces without area are contracted or flipped");
+  if (left > 0)
+    report.warnings.push_back(std::to_string(left) + " faces of IN have no area, and cannot be contracted or flipped first");
+}
+
 } // namespace
 
 Checked_mesh read_mesh(const Options& options, Report& report)
@@ -139,6 +149,8 @@ Checked_mesh read_mesh(const Options& options, Report& report)
   advise(soup, input, d, report);
   if (!options.field.empty())
     read_field(options, input);
+  report.flat_faces = remove_flat_faces(input.mesh);
+  tell_flat_faces(report);
   find_creases(input.mesh, options);
   return input;
 }

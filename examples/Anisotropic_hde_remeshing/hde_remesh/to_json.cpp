@@ -186,6 +186,9 @@ std::string to_json(const Report& report)
     json["kernel"] = report.kernel;
     json["target_edge_length"] = report.result.target_edge_length;
   }
+  if (report.flat_faces.number > 0)
+    json["faces_without_area"] = {{"removed", report.flat_faces.number - report.flat_faces.number_left},
+                                  {"left", report.flat_faces.number_left}};
   if (report.tolerance > 0)
     json["cracks"] = {{"tolerance", report.tolerance}, {"merged_points", report.number_of_merged_points}};
   if (report.repair)

@@ -28,6 +28,12 @@ Vector_3 normal(const Soup& soup, const std::vector<std::size_t>& face) // of th
   return sum;
 }
 
+bool has_point_twice(std::vector<std::size_t> face)
+{
+  std::sort(face.begin(), face.end());
+  return std::adjacent_find(face.begin(), face.end()) != face.end();
+}
+
 // from the least number on
 std::vector<std::size_t> rotated(std::vector<std::size_t> face)
 {
@@ -40,7 +46,8 @@ std::vector<std::size_t> reverse_faces(const Soup& soup)
 {
   std::map<std::vector<std::size_t>, std::vector<std::size_t>> faces;
   for (std::size_t f = 0; f < soup.faces.size(); ++f)
-    faces[rotated(soup.faces[f])].push_back(f);
+    if (!has_point_twice(soup.faces[f]))
+      faces[rotated(soup.faces[f])].push_back(f);
   std::vector<std::size_t> result(soup.faces.size(), none);
   for (const auto& [face, numbers] : faces)
   {
