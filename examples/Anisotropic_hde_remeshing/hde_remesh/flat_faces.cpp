@@ -56,7 +56,7 @@ Flat_faces remove_flat_faces(Mesh& mesh)
     return result;
   }
   repaired.collect_garbage();
-  if (!repaired.is_valid(false) || repaired.number_of_faces() == 0 || !have_same_topology(mesh, repaired))
+  if (!repaired.is_valid(false) || !have_same_topology(mesh, repaired))
     return result;
   result.number_left = number_of_flat_faces(repaired);
   mesh = repaired;

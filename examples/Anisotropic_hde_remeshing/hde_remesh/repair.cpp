@@ -11,6 +11,7 @@
 #include "Mesh.h"
 #include "cracks.h"
 #include "in_short.h"
+#include "solids.h"
 #include "walls.h"
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>

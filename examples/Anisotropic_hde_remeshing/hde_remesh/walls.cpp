@@ -204,58 +204,6 @@ private:
   std::vector<double> m_areas; // twice
 };
 
-// The sides of an edge in pairs, each of the two faces of a solid; none if the faces are not so. Around the edge, seen against its
-// direction from the lower to the higher end, a solid begins at a side that runs back, and ends at the next one that runs forth.
-std::vector<std::pair<std::size_t, std::size_t>> pairs_of_solids(const Soup& soup, const std::vector<Side>& sides,
-                                                                 const std::vector<std::size_t>& of_edge)
-{
-  static constexpr double same_angle = 1e-7;
-  struct Around
-  {
-    double angle;
-    bool runs_back;
-    std::size_t side;
-    bool operator<(const Around& other) const
-    {
-      return std::tie(angle, runs_back, side) < std::tie(other.angle, other.runs_back, other.side);
-    }
-  };
-  const std::size_t low = sides[of_edge.front()].ends().first, high = sides[of_edge.front()].ends().second;
-  const Vector_3 axis = soup.points[high] - soup.points[low];
-  const auto direction = [&](const std::size_t i)
-  {
-    const std::vector<std::size_t>& face = soup.faces[sides[i].face];
-    const auto place = std::find(face.begin(), face.end(), sides[i].target) - face.begin();
-    const Vector_3 to_third = soup.points[face[std::size_t(place + 1) % face.size()]] - soup.points[low];
-    return to_third - (to_third * axis / axis.squared_length()) * axis;
-  };
-  const Vector_3 x = direction(of_edge.front()), y = CGAL::cross_product(axis, x) / std::sqrt(axis.squared_length());
-  std::vector<Around> around;
-  for (const std::size_t i : of_edge)
-  {
-    const Vector_3 d = direction(i);
-    double angle = std::atan2(d * y, d * x);
-    if (angle < -same_angle)
-      angle += 2 * CGAL_PI;
-    around.push_back({angle, sides[i].source == high, i});
-  }
-  std::sort(around.begin(), around.end());
-  for (std::size_t k = 1; k < around.size(); ++k) // where two solids touch, one ends before the other begins
-    if (around[k].angle - around[k - 1].angle < same_angle)
-      around[k].angle = around[k - 1].angle;
-  std::sort(around.begin(), around.end());
-  std::vector<std::pair<std::size_t, std::size_t>> result;
-  for (std::size_t k = 0; k < around.size(); ++k)
-  {
-    const Around& next = around[(k + 1) % around.size()];
-    if (around[k].runs_back == next.runs_back)
-      return {};
-    if (around[k].runs_back)
-      result.emplace_back(around[k].side, next.side);
-  }
-  return result;
-}
-
 bool has_edges_of_many_faces(const Soup& soup)
 {
   bool result = false;
@@ -263,63 +211,10 @@ bool has_edges_of_many_faces(const Soup& soup)
   return result;
 }
 
-// Corners that are joined have one point, and no others have it. Returns how many points are new.
-std::size_t give_points_to_fans(Soup& soup, const std::vector<Side>& sides, Sets& corners)
-{
-  const std::size_t number_of_points = soup.points.size();
-  std::vector<std::size_t> of_fan(sides.size(), none); // by the root of its corners
-  std::vector<char> is_taken(number_of_points, 0);
-  for (std::vector<std::size_t>& face : soup.faces)
-    face.clear();
-  for (const Side& side : sides)
-  {
-    std::size_t& point = of_fan[corners.root(side.corner)];
-    if (point == none && !is_taken[side.source])
-    {
-      point = side.source;
-      is_taken[side.source] = 1;
-    }
-    else if (point == none)
-    {
-      point = soup.points.size();
-      soup.points.push_back(Point_3(soup.points[side.source]));
-    }
-    soup.faces[side.face].push_back(point);
-  }
-  return soup.points.size() - number_of_points;
-}
-
 } // namespace
 
 std::size_t remove_double_walls(Soup& soup) { return has_edges_of_many_faces(soup) ? Double_walls(soup).remove() : 0; }
 
 std::size_t remove_single_walls(Soup& soup) { return has_edges_of_many_faces(soup) ? Single_walls(soup).remove() : 0; }
-
-std::size_t separate_solids(Soup& soup)
-{
-  const std::vector<Side> sides = sides_of(soup);
-  Sets corners(sides.size());
-  bool has_solids = false;
-  const auto join = [&](const Side& a, const Side& b)
-  {
-    const bool is_reversed = a.source == b.target;
-    corners.join(a.corner, is_reversed ? b.next_corner : b.corner);
-    corners.join(a.next_corner, is_reversed ? b.corner : b.next_corner);
-  };
-  const auto join_faces = [&](const std::vector<std::size_t>& of_edge)
-  {
-    std::vector<std::pair<std::size_t, std::size_t>> pairs;
-    if (of_edge.size() > 2)
-      pairs = pairs_of_solids(soup, sides, of_edge);
-    has_solids = has_solids || !pairs.empty();
-    for (const auto& pair : pairs)
-      join(sides[pair.first], sides[pair.second]);
-    if (pairs.empty())
-      for (const std::size_t i : of_edge)
-        join(sides[of_edge.front()], sides[i]);
-  };
-  for_each_edge(sides, join_faces);
-  return has_solids ? give_points_to_fans(soup, sides, corners) : 0;
-}
 
 } // namespace hde_remesh

@@ -6,7 +6,7 @@
 //
 // Author(s)     : The Anisotropic_hde_remeshing developers
 
-// Edges with more than two faces, where closed solids touch each other or have a wall between them.
+// Edges with more than two faces, where closed solids have a wall between them.
 
 #ifndef HDE_REMESH_WALLS_H
 #define HDE_REMESH_WALLS_H
@@ -23,10 +23,6 @@ std::size_t remove_double_walls(Soup& soup);
 
 // The same for walls that are there once. Of three surfaces that meet in all their edges, the smallest one is the wall.
 std::size_t remove_single_walls(Soup& soup);
-
-// Doubles points so that solids that touch each other in edges or points do so no more: at an edge with several faces, a solid lies
-// between two that follow each other around it. Edges whose faces do not look out of solids stay. Returns how many points are new.
-std::size_t separate_solids(Soup& soup);
 
 } // namespace hde_remesh
 
