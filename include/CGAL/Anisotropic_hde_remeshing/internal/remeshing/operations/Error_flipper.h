@@ -148,14 +148,7 @@ private:
     if (vc == vd || m_mesh.halfedge(vc, vd).is_valid() || m_mesh.degree(va) <= 3 || m_mesh.degree(vb) <= 3)
       return false;
     const double limit = (1 - smallest_gain) * before;
-    const auto visit_samples = [&](const auto& visit)
-    {
-      m_owners.for_each_around(f, visit);
-      m_owners.for_each_around(k, visit);
-    };
-    std::array<std::uint32_t, Owners::number_of_nodes> nearest;
-    double after = price + m_owners.cost_of_way_back(one, visit_samples, nearest) +
-                   m_owners.cost_of_way_back(other, visit_samples, nearest);
+    double after = price;
     for (const Face_index face : {f, k})
       m_owners.for_each(face,
                         [&](const std::uint32_t i)
@@ -166,6 +159,15 @@ private:
                           after += s.area * m_owners.cost((std::min)(one.closest(s.point).squared_distance,
                                                                      other.closest(s.point).squared_distance));
                         });
+    const auto visit_samples = [&](const auto& visit)
+    {
+      m_owners.for_each_around(f, visit);
+      m_owners.for_each_around(k, visit);
+    };
+    std::array<std::uint32_t, Owners::number_of_nodes> nearest;
+    for (const Space_triangle* const t : {&one, &other})
+      if (after < limit)
+        after += m_owners.cost_of_way_back(*t, visit_samples, nearest);
     return after < limit && m_guard.accepts(exchange(h, g));
   }
 

@@ -1,0 +1,276 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+#ifndef CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_OPERATIONS_MEASURED_CONTRACTIONS_H
+#define CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_OPERATIONS_MEASURED_CONTRACTIONS_H
+
+#include <CGAL/license/Anisotropic_hde_remeshing.h>
+
+#include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Quadric.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Space_triangle.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Interruption.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parallel/parallel.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/Working_mesh.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/samples/Sample_owners.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/samples/Shape_price.h>
+
+#include <CGAL/boost/graph/Euler_operations.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Anisotropic_hde_remeshing {
+namespace internal {
+
+// the contraction of an edge: how much more the faces cost after it, and where the vertex goes
+struct Measured_contraction
+{
+  double cost;
+  Edge_index edge;
+  Halfedge_index halfedge; // to the vertex that stays
+  Vector point;
+
+  bool operator<(const Measured_contraction& other) const
+  {
+    return cost < other.cost || (cost == other.cost && edge < other.edge);
+  }
+};
+
+// Measures by the samples what contractions cost. The quadrics of the samples tell in which order that is worth while.
+template <typename ConcurrencyTag, typename Mesh>
+class Measured_contractions
+{
+  typedef Sample_owners<ConcurrencyTag, Mesh> Owners;
+
+  static constexpr std::size_t largest_degree = 14; // of both ends together
+  static constexpr double smallest_cosine = 0.3;
+  static constexpr std::size_t enough_samples = 100; // to measure a contraction
+
+public:
+  Measured_contractions(const Mesh& mesh, const Owners& owners, const Shape_price& price)
+    : m_mesh(mesh), m_owners(owners), m_price(price)
+  {
+    m_quadrics.resize(vertex_capacity(m_mesh));
+    parallel_for<ConcurrencyTag>(m_quadrics.size(),
+                                 [&](const std::size_t i)
+                                 {
+                                   const Vertex_index v{std::uint32_t(i)};
+                                   if (!m_mesh.is_removed(v))
+                                     m_quadrics[i] = quadric(v);
+                                 });
+  }
+
+  // edges that may be contracted, the cheapest by the quadrics first, at most `largest_number`
+  std::vector<Edge_index> candidates(const std::size_t largest_number) const
+  {
+    std::vector<std::pair<double, Edge_index>> keys(edge_capacity(m_mesh), {infinity(), Edge_index()});
+    parallel_for<ConcurrencyTag>(keys.size(),
+                                 [&](const std::size_t i)
+                                 {
+                                   const Edge_index e{std::uint32_t(i)};
+                                   if (m_mesh.is_removed(e) || !is_candidate(e))
+                                     return;
+                                   const Quadric sum = quadric(e);
+                                   keys[i] = {sum(sum.minimum()), e};
+                                 });
+    keys.erase(std::remove_if(keys.begin(), keys.end(), [](const auto& k) { return !(k.first < infinity()); }), keys.end());
+    const std::size_t n = (std::min)(keys.size(), largest_number);
+    std::partial_sort(keys.begin(), keys.begin() + std::ptrdiff_t(n), keys.end());
+    std::vector<Edge_index> result;
+    for (std::size_t i = 0; i < n; ++i)
+      result.push_back(keys[i].second);
+    return result;
+  }
+
+  // Measures edges[first] to edges[last - 1]. Returns those that cost less than `limit` and leave no sample further from its
+  // face than a distance.
+  std::vector<Measured_contraction> measure(const std::vector<Edge_index>& edges, const std::size_t first,
+                                            const std::size_t last, const double limit, const double largest_squared_distance,
+                                            Interruption& interruption) const
+  {
+    std::vector<Measured_contraction> result(last - first);
+    parallel_for<ConcurrencyTag>(
+        result.size(), [&](const std::size_t i) { result[i] = measure(edges[first + i], limit, largest_squared_distance); }, 16,
+        interruption);
+    result.erase(std::remove_if(result.begin(), result.end(), [&](const auto& c) { return !(c.cost < limit); }), result.end());
+    return result;
+  }
+
+private:
+  // what a contraction changes: the faces that stay, and the samples of all
+  struct Surroundings
+  {
+    std::vector<std::array<Vector, 3>> corners; // of the faces that stay; the moving one comes first
+    std::vector<std::uint32_t> samples;
+    double weight; // of each sample, over that of its area
+    double cost_before;
+  };
+
+  static double infinity() { return (std::numeric_limits<double>::infinity)(); }
+
+  bool is_bound(const Vertex_index v) const { return m_mesh.point(v).is_on_curve || m_mesh.point(v).is_fixed; }
+
+  bool is_candidate(const Edge_index e) const
+  {
+    const Vertex_index a = m_mesh.vertex(e, 0), b = m_mesh.vertex(e, 1);
+    return !(is_bound(a) && is_bound(b)) && m_mesh.degree(a) + m_mesh.degree(b) <= largest_degree &&
+           CGAL::Euler::does_satisfy_link_condition(e, m_mesh.graph());
+  }
+
+  Quadric quadric(const Vertex_index v) const
+  {
+    Quadric result;
+    for (const Halfedge_index h : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
+      if (!m_mesh.is_border(h))
+        m_owners.for_each(m_mesh.face(h),
+                          [&](const std::uint32_t i)
+                          {
+                            const Reference_sample& s = m_owners.sample(i);
+                            const double weight = s.area / 3.;
+                            result += Quadric::of_plane(s.point, s.normal.template cast<double>(), weight);
+                            result += Quadric::of_point(s.point, 1e-4 * weight);
+                          });
+    result += Quadric::of_point(m_mesh.point(v).point, 1e-14);
+    return result;
+  }
+
+  Quadric quadric(const Edge_index e) const
+  {
+    Quadric sum = m_quadrics[m_mesh.vertex(e, 0)];
+    return sum += m_quadrics[m_mesh.vertex(e, 1)];
+  }
+
+  // the contraction of an edge to the best of the quadric's optimum, its middle and its ends
+  Measured_contraction measure(const Edge_index e, const double limit, const double largest_squared_distance) const
+  {
+    const Halfedge_index h = m_mesh.halfedge(e);
+    const Vertex_index a = m_mesh.source(h), b = m_mesh.target(h);
+    const Vector &p = m_mesh.point(a).point, &q = m_mesh.point(b).point;
+    const Surroundings surroundings = surroundings_of(h);
+    Measured_contraction best{limit, e, h, Vector::Zero()};
+    const auto look_at = [&](const Halfedge_index to, const Vector& point)
+    {
+      const double cost = cost_at(point, surroundings, surroundings.cost_before + best.cost, largest_squared_distance) -
+                          surroundings.cost_before;
+      if (cost < best.cost)
+        best = Measured_contraction{cost, e, to, point};
+    };
+    if (!is_bound(a) && !is_bound(b))
+    {
+      const Vector optimum = quadric(e).minimum();
+      if ((optimum - p).squaredNorm() < 4 * (p - q).squaredNorm())
+        look_at(h, optimum);
+      look_at(h, (p + q) / 2);
+    }
+    if (!is_bound(a))
+      look_at(h, q);
+    if (!is_bound(b))
+      look_at(m_mesh.opposite(h), p);
+    return best;
+  }
+
+  Surroundings surroundings_of(const Halfedge_index h) const
+  {
+    Surroundings result;
+    result.cost_before = 0;
+    for (const Halfedge_index end : {h, m_mesh.opposite(h)})
+    {
+      const Vertex_index other = m_mesh.source(end);
+      for (const Halfedge_index in : m_mesh.halfedges_around_target(end))
+      {
+        if (m_mesh.is_border(in))
+          continue;
+        const Triangle t(in, m_mesh);
+        const bool has_both = t.a == other || t.c == other;
+        if (has_both && end != h)
+          continue;
+        const Face_index f = m_mesh.face(in);
+        result.cost_before += m_owners.cost(f) + m_price(m_owners.triangle(f));
+        m_owners.for_each(f, [&](const std::uint32_t i) { result.samples.push_back(i); });
+        if (!has_both)
+          result.corners.push_back({m_mesh.point(t.b).point, m_mesh.point(t.c).point, m_mesh.point(t.a).point});
+      }
+    }
+    const std::size_t stride = (std::max)(result.samples.size() / enough_samples, std::size_t(1));
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < result.samples.size(); i += stride)
+      result.samples[n++] = result.samples[i];
+    result.samples.resize(n);
+    result.weight = double(stride);
+    return result;
+  }
+
+  // the costs of the faces if their first corner is at a point; infinite if that must not be, or if it is more than `limit`
+  double cost_at(const Vector& point, const Surroundings& surroundings, const double limit,
+                 const double largest_squared_distance) const
+  {
+    double cost = price_at(point, surroundings);
+    for (const std::uint32_t i : surroundings.samples)
+    {
+      if (!(cost < limit))
+        return infinity();
+      const Reference_sample& s = m_owners.sample(i);
+      double least = infinity();
+      for (const auto& c : surroundings.corners)
+        least = (std::min)(least, closest_on_triangle(s.point, point, c[1], c[2]).squared_distance);
+      if (least > largest_squared_distance)
+        return infinity();
+      cost += surroundings.weight * s.area * m_owners.cost(least);
+    }
+    std::array<std::uint32_t, Owners::number_of_nodes> nearest;
+    for (const auto& c : surroundings.corners)
+    {
+      if (!(cost < limit))
+        return infinity();
+      cost += m_owners.cost_of_way_back(
+          Space_triangle{point, c[1], c[2]},
+          [&](const auto& visit)
+          {
+            for (const std::uint32_t i : surroundings.samples)
+              visit(i);
+          },
+          nearest);
+    }
+    return cost;
+  }
+
+  // of the shapes; infinite if a face turns too far or becomes a needle
+  double price_at(const Vector& point, const Surroundings& surroundings) const
+  {
+    double price = 0;
+    for (const auto& c : surroundings.corners)
+    {
+      const Space_triangle before{c[0], c[1], c[2]}, after{point, c[1], c[2]};
+      const Vector m = before.normal(), n = after.normal();
+      if (!(n.norm() > 0) || n.dot(m) < smallest_cosine * n.norm() * m.norm())
+        return infinity();
+      const double ratio = after.ratio();
+      if (ratio > m_price.largest_ratio() && ratio > before.ratio())
+        return infinity();
+      price += m_price(after);
+    }
+    return price;
+  }
+
+  const Mesh& m_mesh;
+  const Owners& m_owners;
+  const Shape_price& m_price;
+  std::vector<Quadric> m_quadrics; // by vertex
+};
+
+} // namespace internal
+} // namespace Anisotropic_hde_remeshing
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_OPERATIONS_MEASURED_CONTRACTIONS_H
