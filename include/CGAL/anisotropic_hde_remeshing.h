@@ -115,12 +115,15 @@ vertices are dropped.
     \cgalParamDefault{as many as it had}
   \cgalParamNEnd
   \cgalParamNBegin{approximation_error}
-    \cgalParamDescription{the largest distance that the faces shall have from the surface, in the unit of the mesh. The mesh
+    \cgalParamDescription{the largest distance that the mesh shall have from the surface, in the unit of the mesh. The mesh
                           gets about as few faces as this takes. It gets at most `number_of_target_faces` if that is given, too.
-                          In the end the distance is measured at the points of a grid on every face. Between the points, second
-                          differences bound it (see `Anisotropic_hde_remeshing::Remeshing_result::approximation_error`). Faces
-                          are split until the bound holds or they are hopelessly small. Faces at boundary and constrained curves
-                          may be further away, by as much as these curves are away from the surface. Excludes a target length.}
+                          If neither a function nor an embedding is given, it is the distance between the mesh and the facets of
+                          the input, both ways, outlines included, and the mesh gets no more faces than the input. Otherwise it is
+                          that from the faces to the zero set, measured at the points of a grid on every face; between the points,
+                          second differences bound it; faces are split until the bound holds or they are hopelessly small; faces at
+                          boundary and constrained curves may be further away, by as much as these curves are away from the
+                          surface. What came of it is in `Anisotropic_hde_remeshing::Remeshing_result::approximation_error`.
+                          Excludes a target length.}
     \cgalParamType{a number, positive}
     \cgalParamDefault{none}
   \cgalParamNEnd

@@ -134,6 +134,21 @@ std::uint64_t digest(const TriangleMesh& mesh)
   return hash;
 }
 
+// the topology of the input, without degenerate faces and new folds
+template <typename TriangleMesh>
+void check_same_topology(const TriangleMesh& before, const TriangleMesh& after)
+{
+  CHECK(CGAL::is_valid_polygon_mesh(after));
+  CHECK(CGAL::is_triangle_mesh(after));
+  const Hde::Topology_measures old_topology = Hde::measure_topology(before), topology = Hde::measure_topology(after);
+  CHECK(topology.number_of_components == old_topology.number_of_components);
+  CHECK(topology.number_of_boundary_loops == old_topology.number_of_boundary_loops);
+  CHECK(topology.euler_characteristic == old_topology.euler_characteristic);
+  const Hde::Shape_measures shape = Hde::measure_shape(after);
+  CHECK(shape.number_of_degenerate_faces == 0);
+  CHECK(shape.number_of_folded_edges <= Hde::measure_shape(before).number_of_folded_edges);
+}
+
 } // namespace remeshing_checks
 
 #endif // CGAL_ANISOTROPIC_HDE_REMESHING_TEST_REMESHING_CHECKS_H

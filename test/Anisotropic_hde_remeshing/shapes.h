@@ -216,6 +216,19 @@ inline Mesh ellipsoid(const unsigned int level, const Ellipsoid_function& f = El
   return to_mesh(scaled(icosphere_soup(level), f.a, f.b, f.c));
 }
 
+// a sphere with bumps of several sizes
+inline Mesh bumpy_sphere(const unsigned int level)
+{
+  Mesh mesh = icosphere(level);
+  for (const Mesh::Vertex_index v : mesh.vertices())
+  {
+    const Vector_3 p = mesh.point(v) - CGAL::ORIGIN;
+    const double height = 1 + 0.1 * std::sin(5 * p.x()) * std::cos(4 * p.y()) + 0.02 * std::sin(17 * p.z() + 3 * p.x());
+    mesh.point(v) = CGAL::ORIGIN + height * p;
+  }
+  return mesh;
+}
+
 // 2 * around * across faces
 inline Mesh torus(const std::size_t around, const std::size_t across, const Torus_function& f = Torus_function())
 {

@@ -112,32 +112,6 @@ void test_samples()
 
 // --- results ---
 
-// a sphere with bumps of several sizes
-Mesh bumpy_sphere(const unsigned int level)
-{
-  Mesh mesh = icosphere(level);
-  for (const Mesh::Vertex_index v : mesh.vertices())
-  {
-    const Vector_3 p = mesh.point(v) - CGAL::ORIGIN;
-    const double height = 1 + 0.1 * std::sin(5 * p.x()) * std::cos(4 * p.y()) + 0.02 * std::sin(17 * p.z() + 3 * p.x());
-    mesh.point(v) = CGAL::ORIGIN + height * p;
-  }
-  return mesh;
-}
-
-void check_same_topology(const Mesh& before, const Mesh& after)
-{
-  CHECK(CGAL::is_valid_polygon_mesh(after));
-  CHECK(CGAL::is_triangle_mesh(after));
-  const Hde::Topology_measures old_topology = Hde::measure_topology(before), topology = Hde::measure_topology(after);
-  CHECK(topology.number_of_components == old_topology.number_of_components);
-  CHECK(topology.number_of_boundary_loops == old_topology.number_of_boundary_loops);
-  CHECK(topology.euler_characteristic == old_topology.euler_characteristic);
-  const Hde::Shape_measures shape = Hde::measure_shape(after);
-  CHECK(shape.number_of_degenerate_faces == 0);
-  CHECK(shape.number_of_folded_edges <= Hde::measure_shape(before).number_of_folded_edges);
-}
-
 // By default the distance leads where few faces are asked for: it is less than by the embedding, at once in the mean and at most.
 void test_distance(const std::string& name, const Mesh& input, const std::size_t number_of_faces, const double least_gain)
 {

@@ -29,6 +29,7 @@
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Polygon_mesh_processing/repair.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_filter.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/GarlandHeckbert_plane_policies.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_cost.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_placement.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
@@ -40,6 +41,7 @@
 #include <iomanip>
 #include <iostream>
 #include <map>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -131,6 +133,56 @@ void run_all(const Mesh& input, const std::size_t number_of_vertices, Ratios& ra
                                       f.second.seconds / other.seconds});
 }
 
+// how many faces Garland and Heckbert's planes need for the same largest distance, by bisection of their number
+std::size_t number_of_collapsed_faces(const Mesh& input, const double largest_distance)
+{
+  typedef SMS::GarlandHeckbert_plane_policies<Mesh, Mesh::Point::R> Policies;
+  double too_few = std::log(50.), enough = std::log(double(input.number_of_vertices()));
+  std::size_t result = input.number_of_faces();
+  for (int step = 0; step < 7; ++step)
+  {
+    Mesh mesh = input;
+    const double middle = (too_few + enough) / 2;
+    const Policies policies(mesh);
+    SMS::edge_collapse(mesh, At_number_of_vertices{std::size_t(std::exp(middle))},
+                       CGAL::parameters::get_cost(policies.get_cost())
+                           .get_placement(policies.get_placement())
+                           .filter(SMS::Bounded_normal_change_filter<>()));
+    mesh.collect_garbage();
+    const bool is_near = Hde::measure_distance<Tag>(mesh, input).max() <= largest_distance;
+    (is_near ? enough : too_few) = middle;
+    if (is_near)
+      result = (std::min)(result, std::size_t(mesh.number_of_faces()));
+  }
+  return result;
+}
+
+// Errors that are asked for: whether they are kept, and for how many faces. Returns the logarithms of the ratios of the numbers.
+std::vector<double> run_errors(const Mesh& input)
+{
+  std::vector<double> ratios;
+  const double diagonal = bounding_box_diagonal(input);
+  for (const double error : {3e-3, 1e-3, 3e-4})
+  {
+    Mesh mesh = input;
+    Hde::Remeshing_result result;
+    const double seconds =
+        seconds_of([&] { result = CGAL::anisotropic_hde_remeshing<Tag>(mesh, params::relative_approximation_error(error)); });
+    mesh.collect_garbage();
+    const double distance = Hde::measure_distance<Tag>(mesh, input).max() / diagonal;
+    const std::size_t collapsed = number_of_collapsed_faces(input, error * diagonal);
+    const Hde::Shape_measures shape = Hde::measure_shape(mesh);
+    std::cout << "  error " << std::scientific << std::setprecision(2) << error << "  bound "
+              << result.approximation_error / diagonal << "  measured " << distance
+              << (result.approximation_error <= error * diagonal * (1 + 1e-12) ? "  kept" : "  NOT KEPT") << std::fixed << "  "
+              << mesh.number_of_faces() << " faces, Garland-Heckbert " << collapsed << "  aspect " << shape.aspect_ratio_mean
+              << " " << shape.aspect_ratio_p99 << "  intersections " << number_of_self_intersections(input) << " "
+              << number_of_self_intersections(mesh) << "  " << seconds << " s" << std::endl;
+    ratios.push_back(std::log(double(mesh.number_of_faces()) / double(collapsed)));
+  }
+  return ratios;
+}
+
 void print_mean_and_worst(const char* name, const std::vector<Figures>& ratios, double Figures::*figure)
 {
   double sum = 0, worst = 0;
@@ -146,10 +198,12 @@ int main(int argc, char** argv)
 {
   try
   {
-    if (argc < 2)
-      throw std::invalid_argument("benchmark_real_meshes MESH...");
+    const bool asks_for_errors = argc > 1 && argv[1] == std::string("--errors");
+    if (argc < 2 + asks_for_errors)
+      throw std::invalid_argument("benchmark_real_meshes [--errors] MESH...");
     Ratios ratios;
-    for (int i = 1; i < argc; ++i)
+    std::vector<double> ratios_of_faces;
+    for (int i = 1 + asks_for_errors; i < argc; ++i)
     {
       Mesh input;
       if (!PMP::IO::read_polygon_mesh(argv[i], input))
@@ -157,6 +211,12 @@ int main(int argc, char** argv)
       PMP::remove_isolated_vertices(input);
       input.collect_garbage();
       std::cout << argv[i] << ", " << input.number_of_vertices() << " vertices" << std::endl;
+      if (asks_for_errors)
+      {
+        const std::vector<double> logarithms = run_errors(input);
+        ratios_of_faces.insert(ratios_of_faces.end(), logarithms.begin(), logarithms.end());
+        continue;
+      }
       std::size_t last = 0;
       for (const std::size_t part : {4, 10, 25})
       {
@@ -165,6 +225,14 @@ int main(int argc, char** argv)
           run_all(input, n, ratios);
         last = n;
       }
+    }
+    if (asks_for_errors)
+    {
+      std::cout << "faces over Garland-Heckbert, geometric mean: " << std::setprecision(3)
+                << std::exp(std::accumulate(ratios_of_faces.begin(), ratios_of_faces.end(), 0.) /
+                            double(ratios_of_faces.size()))
+                << std::endl;
+      return 0;
     }
     std::cout << "over Lindstrom-Turk: geometric mean (largest)" << std::fixed << std::setprecision(2) << std::endl;
     for (const auto& r : ratios)

@@ -117,8 +117,8 @@ void add_size_options(CLI::App& app, Options& o)
                      ->excludes(vertices);
   vertices->excludes(faces);
   auto* error = app.add_option("--error", o.error,
-                               "largest distance between triangles and surface, a fraction of D: as few triangles as keep\n"
-                               "it, at most --faces; by --metric inf unless another is given")
+                               "largest distance between IN and OUT, both ways, a fraction of D: as few triangles as keep\n"
+                               "it, at most --faces; with an option of the embedding or the function: to the surface")
                     ->excludes(length);
   app.add_option("--absolute-error", o.absolute_error, "the same in the unit of the mesh")->excludes(length)->excludes(error);
   app.add_flag("--fit", o.fit,

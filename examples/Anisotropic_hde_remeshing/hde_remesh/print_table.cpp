@@ -149,7 +149,8 @@ private:
     if (before.self_intersections || after.self_intersections)
       row("pairs of faces that intersect", text(before.self_intersections), text(after.self_intersections));
     if (m_report.error)
-      row("bound on the distance, without curves", "-", relative(m_report.result.approximation_error));
+      row(m_report.has_function() ? "bound on the distance, without curves" : "bound on the distance, both ways", "-",
+          relative(m_report.result.approximation_error));
     if (!m_report.distance)
       return;
     const Hde::Distance_measures& distance = *m_report.distance;
@@ -183,7 +184,8 @@ private:
       m_stream << (result.approximation_error <= *m_report.error * (1 + 1e-12) ? "the error asked for is kept"
                    : result.binding_target == Hde::Target::NUMBER_OF_FACES
                        ? "the number of faces was reached before the error asked for"
-                       : "the error asked for is not kept: the function has no surface near some faces")
+                   : m_report.has_function() ? "the error asked for is not kept: the function has no surface near some faces"
+                                             : "the error asked for is not kept: faces that intersect or fold are in the way")
                << '\n';
     if (m_report.has_function())
       print_projections(result);

@@ -37,7 +37,8 @@ Embedding embedding_of(const Sizes& sizes, const Options& o)
   if (o.adaptive_sigma)
     return Embedding::ADAPTIVE_SIGMA;
   const bool has_sigma = o.sigma || o.absolute_sigma;
-  return o.metric || (sizes.error && !has_sigma) ? Embedding::METRIC : Embedding::NORMALS;
+  const bool leaves_embedding_open = !has_sigma && sizes.scheme != Remeshing_scheme::MEASURED_ERROR;
+  return o.metric || (sizes.error && leaves_embedding_open) ? Embedding::METRIC : Embedding::NORMALS;
 }
 
 Remeshing_result remesh_with_embedding(Mesh& mesh, const Function_view& function, const Sizes& sizes, const Options& o,
@@ -65,17 +66,20 @@ Remeshing_scheme scheme_of(const Sizes& sizes, const Options& o, const std::size
     return Remeshing_scheme::PAPER;
   if (o.scheme == "embedding")
     return Remeshing_scheme::EMBEDDING;
-  const bool is_count_given = (o.faces || o.vertices) && !sizes.error && !sizes.edge_length;
-  if (embedding_of(sizes, o) != Embedding::NORMALS || !is_count_given)
+  const bool is_count_given = (o.faces || o.vertices) && !sizes.edge_length;
+  if (o.metric || o.adaptive_sigma || !o.field.empty() || !(is_count_given || sizes.error))
     return Remeshing_scheme::EMBEDDING;
   const bool is_asked_for = o.scheme == "measured-error";
   const bool is_embedding_given =
       o.sigma || o.absolute_sigma || o.relaxation_steps || o.smoothing_ratio || o.collapse_ratio || o.split_ratio;
   const bool is_function_given = o.kernel != "r3" || o.shape || o.patches || o.overlap || o.offset || o.smoothing;
-  const bool is_by_measured_error = (is_asked_for || !(is_embedding_given || is_function_given)) &&
-                                    CGAL::Anisotropic_hde_remeshing::internal::is_by_measured_error(
-                                        is_asked_for ? Remeshing_scheme::MEASURED_ERROR : Remeshing_scheme::DEFAULT,
-                                        static_cast<double>(sizes.number_of_faces.value()), number_of_faces);
+  const Remeshing_scheme scheme = is_asked_for ? Remeshing_scheme::MEASURED_ERROR : Remeshing_scheme::DEFAULT;
+  namespace Hde_internal = CGAL::Anisotropic_hde_remeshing::internal;
+  const bool is_by_measured_error =
+      (is_asked_for || !(is_embedding_given || is_function_given)) &&
+      (sizes.error
+           ? Hde_internal::keeps_measured_error(scheme)
+           : Hde_internal::is_by_measured_error(scheme, static_cast<double>(sizes.number_of_faces.value()), number_of_faces));
   return is_by_measured_error ? Remeshing_scheme::MEASURED_ERROR : Remeshing_scheme::EMBEDDING;
 }
 

@@ -70,9 +70,11 @@ struct Remeshing_result
   double target_edge_length = 0; ///< the 6D edge length aimed at in the end, in the unit of the mesh
   Target binding_target =
       Target::NUMBER_OF_FACES; ///< which of the given targets was reached first, or what kept the mesh from it
-  /// the bound on the distance between the faces and the surface, in the unit of the mesh, if an error was asked for. Faces at
-  /// boundary and constrained curves do not count. The bound is at most the error asked for, unless the number of faces was
-  /// reached first. It is infinite where the function does not lead to a surface, and if the visitor stopped the search for it.
+  /// the bound on the distance between the faces and the surface, in the unit of the mesh, if an error was asked for. It is at most
+  /// the error asked for, unless the number of faces was reached first, or faces that intersect or fold do not let the mesh come
+  /// nearer. By measured error, the distance is that between the mesh and the input, both ways, and the bound is certain. With a
+  /// function, faces at boundary and constrained curves do not count, and it is infinite where the function does not lead to a
+  /// surface. It is infinite if the visitor stopped the search for it.
   double approximation_error = 0;
   /// how many faces were aimed at: `number_of_target_faces`, or as many as there were. With an error, it is the largest number
   /// allowed. It is 0 if a length was asked for, or an error alone.

@@ -19,8 +19,8 @@ namespace Anisotropic_hde_remeshing {
 /// the order of the operations in `CGAL::anisotropic_hde_remeshing()`
 enum class Remeshing_scheme
 {
-  /// `MEASURED_ERROR` if a number of faces is asked for that is at most three quarters of that of the input, and neither an
-  /// embedding, nor a length, an error, a function or a parameter of one of these. Otherwise `EMBEDDING`.
+  /// `MEASURED_ERROR` if an error is asked for, or a number of faces that is at most three quarters of that of the input, and
+  /// neither an embedding, nor a length, a function or a parameter of one of these. Otherwise `EMBEDDING`.
   DEFAULT,
   /// Algorithm 2 of the paper. An iteration first repeats three operations until nothing is contracted: it contracts edges
   /// below half of the target length, smooths the 30% of the vertices with the smallest 6D angles, and flips edges. Then it
@@ -39,8 +39,9 @@ enum class Remeshing_scheme
   /// is lost by that, which quadrics add up. Then iterations follow. Each exchanges vertices, a contraction that costs little for
   /// a split that gains much; flips edges where that makes the distance less; and moves the vertices where the distance is least,
   /// on the surface or off it. Distances count by their third power, so that the largest one becomes small, too. Long triangles
-  /// have a price: they stand where they pay. Vertices of curves stay on them. If the result does not have fewer faces than the
-  /// input, or a length or an error is asked for, this is `EMBEDDING`.
+  /// have a price: they stand where they pay. Vertices of curves stay on them. With an error, edges
+  /// are contracted as long as it is kept, and faces that exceed it in the end are split. If the result does not have fewer faces
+  /// than the input, or a length is asked for, this is `EMBEDDING`.
   MEASURED_ERROR
 };
 

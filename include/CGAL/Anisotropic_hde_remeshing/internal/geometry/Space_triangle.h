@@ -27,6 +27,7 @@ struct Space_triangle
   Vector a, b, c;
 
   Closest_on_triangle closest(const Vector& p) const { return closest_on_triangle(p, a, b, c); }
+  Vector point(const Vector& barycentric) const { return barycentric[0] * a + barycentric[1] * b + barycentric[2] * c; }
   Vector normal() const { return (b - a).cross(c - a); } // of twice the area
 
   // the longest edge over the altitude on it; about 1.15 for an equilateral triangle

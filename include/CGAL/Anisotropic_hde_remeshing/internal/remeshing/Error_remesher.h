@@ -21,20 +21,25 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/Working_mesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/vertex_normals.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/write_stage.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/operations/Bounded_coarsener.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/operations/Bounded_refiner.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/operations/Edge_exchanger.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/operations/Error_fitter.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/operations/Error_flipper.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/operations/Loss_coarsener.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/operations/Sampled_operations.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/projection/Input_surface.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/remeshing_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/samples/Reference_samples.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/samples/Sample_owners.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/samples/Shape_price.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/samples/Two_sided_check.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -55,11 +60,14 @@ class Error_remesher
   static constexpr double share_of_coarsening = 0.3;       // of the progress that is told
   // Longest edge over altitude: up to the first a shape is free, above the second no operation makes it worse.
   static constexpr double free_ratio = 4, largest_ratio = 40;
+  static constexpr int refinements_without_progress = 8, refinements_with_fit = 2;
+  static constexpr double share_in_the_mean = 0.55; // of the distance that samples may have
   static constexpr double price_of_shape = 2, price_of_shape_for_least_distance = 0.1;
 
 public:
+  // Samples stay below a share of the error, because between them the distance is larger.
   Error_remesher(Mesh& mesh, const Curve_network& curves, const Guard& guard, const Input_surface& input,
-                 const Remeshing_parameters& parameters, const Visitor_reference visitor)
+                 const Remeshing_parameters& parameters, const Visitor_reference visitor, const double share_of_error)
     : m_mesh(mesh),
       m_curves(curves),
       m_guard(guard),
@@ -67,6 +75,7 @@ public:
       m_parameters(parameters),
       m_visitor(visitor),
       m_interruption(visitor.interruption()),
+      m_distance_of_samples(share_of_error * parameters.error),
       m_number_of_rounds(parameters.fit_to_surface ? 5 * parameters.number_of_iterations / 2 : parameters.number_of_iterations),
       m_price(parameters.fit_to_surface ? price_of_shape_for_least_distance : price_of_shape, free_ratio, largest_ratio)
   {
@@ -74,9 +83,8 @@ public:
 
   void operator()()
   {
-    const std::size_t number_of_faces = std::size_t(m_parameters.target.number_of_faces());
     write_stage(m_mesh, "input");
-    const std::vector<Vertex_index> new_vertices = coarsen(number_of_faces);
+    const std::vector<Vertex_index> new_vertices = coarsen();
     write_stage(m_mesh, "coarsened");
     if (m_interruption.ask())
       return;
@@ -84,26 +92,24 @@ public:
     const Reference_samples samples(m_input.points(), m_input.facets(), number_of_samples());
     Owners owners(m_mesh, samples);
     owners.start([&](const Reference_sample& s) { return new_vertices[s.start]; });
+    Tools tools(*this, owners);
+    if (keeps_error())
+      owners.set_largest_distance(m_distance_of_samples);
     measure(owners);
-    Edge_exchanger<ConcurrencyTag, Mesh, Guard> exchange(m_mesh, m_curves, m_guard, m_input, owners, m_price, m_interruption);
-    Error_flipper<ConcurrencyTag, Mesh, Guard> flip(m_mesh, m_guard, owners, m_price, m_interruption);
-    Error_fitter<ConcurrencyTag, Mesh, Guard> fit(m_mesh, m_guard, owners, m_price, m_interruption);
     for (unsigned int round = 0; round < m_number_of_rounds && !m_interruption.ask(); ++round)
     {
-      if (3 * round < 2 * m_number_of_rounds)
-        exchange_vertices(exchange, share_exchanged);
-      write_stage(m_mesh, "exchanged");
-      flip_edges(flip);
-      write_stage(m_mesh, "flipped");
-      fit_vertices(fit, owners);
-      fit_vertices(fit, owners);
-      write_stage(m_mesh, "fitted");
+      do_round(tools, 3 * round < 2 * m_number_of_rounds);
       m_number_of_rounds_done = round + 1;
       report_progress(double(round + 1) / m_number_of_rounds);
     }
-    flip_edges(flip);
+    flip_edges(tools);
+    if (keeps_error())
+      refine(tools);
     write_stage(m_mesh, "finished");
   }
+
+  // the bound on the distances between the mesh and the input if an error was asked for; otherwise 0
+  double error_bound() const { return m_error_bound; }
 
   const Operation_statistics& statistics() const { return m_statistics; }
   unsigned int number_of_rounds() const { return m_number_of_rounds_done; }
@@ -116,15 +122,57 @@ private:
                       largest_number_of_samples);
   }
 
-  // Returns the vertices that stand for the points of the input.
-  std::vector<Vertex_index> coarsen(const std::size_t number_of_faces)
+  bool keeps_error() const { return m_parameters.error > 0; }
+
+  // what the rounds work with
+  struct Tools
+  {
+    Tools(Error_remesher& r, Owners& owners)
+      : owners(owners),
+        operations(r.m_mesh, r.m_curves, r.m_guard, owners),
+        exchange(r.m_mesh, r.m_input, owners, r.m_price, operations, r.m_interruption),
+        contract(r.m_mesh, owners, r.m_price, operations, r.m_interruption),
+        refine(r.m_mesh, r.m_input, owners, r.m_price, operations, r.m_interruption),
+        flip(r.m_mesh, r.m_guard, owners, r.m_price, r.m_interruption),
+        fit(r.m_mesh, r.m_guard, owners, r.m_price, r.m_interruption)
+    {
+    }
+
+    Owners& owners;
+    Sampled_operations<ConcurrencyTag, Mesh, Guard> operations;
+    Edge_exchanger<ConcurrencyTag, Mesh, Guard> exchange;
+    Bounded_coarsener<ConcurrencyTag, Mesh, Guard> contract;
+    Bounded_refiner<ConcurrencyTag, Mesh, Guard> refine;
+    Error_flipper<ConcurrencyTag, Mesh, Guard> flip;
+    Error_fitter<ConcurrencyTag, Mesh, Guard> fit;
+  };
+
+  void do_round(Tools& tools, const bool changes_vertices)
+  {
+    if (changes_vertices && keeps_error())
+      contract_edges(tools);
+    if (changes_vertices)
+      exchange_vertices(tools);
+    write_stage(m_mesh, "exchanged");
+    flip_edges(tools);
+    write_stage(m_mesh, "flipped");
+    fit_vertices(tools);
+    fit_vertices(tools);
+    write_stage(m_mesh, "fitted");
+  }
+
+  // To a number of faces; or as far as the mean loss allows, where an error is to be kept. Returns the vertices that stand for the
+  // points of the input.
+  std::vector<Vertex_index> coarsen()
   {
     const Duration duration(m_statistics.collapse_seconds);
     set_vertex_normals<ConcurrencyTag>(m_mesh);
     std::vector<std::uint32_t> points(m_input.points().size());
     {
       Loss_coarsener<ConcurrencyTag, Mesh, Guard> coarsen(m_mesh, m_curves, m_guard, m_interruption);
-      const std::vector<Vertex_index> roots = coarsen(number_of_faces);
+      const double mean = share_in_the_mean * m_distance_of_samples;
+      const std::vector<Vertex_index> roots =
+          keeps_error() ? coarsen(0, mean * mean) : coarsen(std::size_t(m_parameters.target.number_of_faces()));
       m_statistics.number_of_collapses += coarsen.number_of_collapses();
       for (std::size_t v = 0; v < points.size(); ++v)
         points[v] = m_mesh.point(roots[v]).input_vertex;
@@ -140,26 +188,62 @@ private:
     return result;
   }
 
-  void exchange_vertices(Edge_exchanger<ConcurrencyTag, Mesh, Guard>& exchange, const double share)
+  void exchange_vertices(Tools& tools)
   {
     const Duration duration(m_statistics.collapse_seconds);
-    const std::size_t number = exchange(std::size_t(std::ceil(share * double(m_mesh.number_of_vertices()))));
+    const std::size_t number = tools.exchange(std::size_t(std::ceil(share_exchanged * double(m_mesh.number_of_vertices()))));
     m_statistics.number_of_collapses += number;
     m_statistics.number_of_splits += number;
   }
 
-  void flip_edges(Error_flipper<ConcurrencyTag, Mesh, Guard>& flip)
+  void contract_edges(Tools& tools)
   {
-    const Duration duration(m_statistics.flip_seconds);
-    m_statistics.number_of_flips += flip();
+    const Duration duration(m_statistics.collapse_seconds);
+    m_statistics.number_of_collapses += tools.contract(m_distance_of_samples);
   }
 
-  void fit_vertices(Error_fitter<ConcurrencyTag, Mesh, Guard>& fit, Owners& owners)
+  void flip_edges(Tools& tools)
+  {
+    const Duration duration(m_statistics.flip_seconds);
+    m_statistics.number_of_flips += tools.flip();
+  }
+
+  void fit_vertices(Tools& tools)
   {
     const Duration duration(m_statistics.smoothing_seconds);
-    fit();
+    tools.fit();
     set_vertex_normals<ConcurrencyTag>(m_mesh);
-    measure(owners);
+    measure(tools.owners);
+  }
+
+  // Splits the faces that do not keep the error, until all do.
+  void refine(Tools& tools)
+  {
+    Two_sided_check<ConcurrencyTag, Mesh> check(m_mesh, m_input, m_interruption);
+    std::size_t least = (std::numeric_limits<std::size_t>::max)();
+    int last_progress = 0;
+    for (int round = 0; !m_interruption.ask(); ++round)
+    {
+      const auto failing = check(m_parameters.error);
+      m_error_bound = check.bound();
+      if (failing.size() < least)
+      {
+        least = failing.size();
+        last_progress = round;
+      }
+      if (failing.empty() || round == last_progress + refinements_without_progress)
+        return;
+      const std::size_t number = tools.refine(failing, round);
+      m_statistics.number_of_splits += number;
+      if (number == 0)
+        return;
+      if (round < refinements_with_fit)
+      {
+        flip_edges(tools);
+        fit_vertices(tools);
+      }
+    }
+    m_error_bound = (std::numeric_limits<double>::infinity)();
   }
 
   void measure(Owners& owners)
@@ -180,10 +264,12 @@ private:
   const Remeshing_parameters& m_parameters;
   const Visitor_reference m_visitor;
   Interruption& m_interruption;
+  const double m_distance_of_samples; // at most
   const unsigned int m_number_of_rounds;
   Shape_price m_price;
   Operation_statistics m_statistics;
   unsigned int m_number_of_rounds_done = 0;
+  double m_error_bound = keeps_error() ? (std::numeric_limits<double>::infinity)() : 0; // until it is measured
 };
 
 } // namespace internal

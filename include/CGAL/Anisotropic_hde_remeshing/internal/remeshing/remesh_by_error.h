@@ -25,15 +25,62 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/projection/Surface_function.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/remesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/remeshing_parameters.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/samples/Two_sided_check.h>
 
 #include <CGAL/Real_timer.h>
 #include <CGAL/tags.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
+
+template <typename ConcurrencyTag, typename Mesh, typename Guard>
+void remesh_once(Mesh& mesh, const Curve_network& curves, const Guard& guard, const Input_surface& input,
+                 const Remeshing_parameters& parameters, const Visitor_reference visitor, const double share_of_error,
+                 Remeshing_report& report)
+{
+  Error_remesher<ConcurrencyTag, Mesh, Guard> remesher(mesh, curves, guard, input, parameters, visitor, share_of_error);
+  remesher();
+  report.number_of_iterations = remesher.number_of_rounds();
+  report.operations = remesher.statistics();
+  report.error = remesher.error_bound();
+}
+
+// Where some faces cannot be brought near enough to the input, it begins again with a smaller distance of the samples. Where the
+// error takes more faces than allowed, their number leads.
+template <typename ConcurrencyTag, typename Mesh, typename Guard>
+void keep_error(Mesh& mesh, const Curve_network& curves, const Guard& guard, const Input_surface& input,
+                const Remeshing_parameters& parameters, const Visitor_reference visitor, Remeshing_report& report)
+{
+  Mesh original;
+  original = mesh;
+  for (const double share_of_error : {0.9, 0.7, 0.5})
+  {
+    if (share_of_error < 0.9)
+    {
+      mesh = original;
+      guard.template update_all<ConcurrencyTag>(visitor.interruption());
+    }
+    remesh_once<ConcurrencyTag>(mesh, curves, guard, input, parameters, visitor, share_of_error, report);
+    if (report.error <= parameters.error || visitor.interruption().is_requested())
+      break;
+  }
+  if (double(mesh.number_of_faces()) > parameters.target.number_of_faces() && !visitor.interruption().is_requested())
+  {
+    mesh = original;
+    guard.template update_all<ConcurrencyTag>(visitor.interruption());
+    Remeshing_parameters by_number = parameters;
+    by_number.error = 0;
+    remesh_once<ConcurrencyTag>(mesh, curves, guard, input, by_number, visitor, 0, report);
+    report.error = (std::numeric_limits<double>::infinity)();
+  }
+  if (!(report.error <= parameters.error))
+    report.error = bound_on_distance<ConcurrencyTag>(mesh, input, parameters.error, visitor.interruption());
+}
 
 // Remeshes the copy of the mesh by measured error. The facets of the input are the surface.
 template <typename ConcurrencyTag, typename Intersections>
@@ -42,12 +89,16 @@ Remeshing_report remesh_by_error(Working_mesh<Normal_embedding::Vertex_data>& me
                                  const Remeshing_parameters& parameters, const Visitor_reference visitor)
 {
   typedef Working_mesh<Normal_embedding::Vertex_data> Mesh;
+  static constexpr double share_of_faces = 0.98;          // as many as these: the number of faces has been reached
+  static constexpr double share_of_error_at_curves = 0.5; // the faces beside need the rest
   typedef Operation_guard<Mesh, Surface_function, Intersections> Guard;
   Real_timer timer;
   timer.start();
   visitor.stage_started(Stage::PROJECTION);
   Remeshing_report report;
-  const Curve_network curves = curve_network(mesh, is_piecewise, input.diagonal());
+  Curve_network curves = curve_network(mesh, is_piecewise, input.diagonal());
+  if (parameters.error > 0)
+    curves.set_largest_deviation((std::min)(curves.largest_deviation(), share_of_error_at_curves * parameters.error));
   report.curves_before = feature_curves(mesh);
   const Surface_function no_function;
   const Guard guard(mesh, no_function, intersections);
@@ -57,12 +108,17 @@ Remeshing_report remesh_by_error(Working_mesh<Normal_embedding::Vertex_data>& me
 
   timer.reset();
   visitor.stage_started(Stage::REMESHING);
-  Error_remesher<ConcurrencyTag, Mesh, Guard> remesher(mesh, curves, guard, input, parameters, visitor);
-  remesher();
-  report.number_of_iterations = remesher.number_of_rounds();
-  report.operations = remesher.statistics();
+  if (parameters.error > 0)
+    keep_error<ConcurrencyTag>(mesh, curves, guard, input, parameters, visitor, report);
+  else
+    remesh_once<ConcurrencyTag>(mesh, curves, guard, input, parameters, visitor, 0, report);
   report.curves_after = feature_curves(mesh);
-  if (!visitor.interruption().is_requested())
+  if (parameters.error > 0)
+    report.binding_target = report.error <= parameters.error ? Target::APPROXIMATION_ERROR
+                            : double(mesh.number_of_faces()) > share_of_faces * parameters.target.number_of_faces()
+                                ? Target::NUMBER_OF_FACES
+                                : Target::GUARDS;
+  else if (!visitor.interruption().is_requested())
     report.binding_target = what_binds(mesh, parameters.target.number_of_faces());
   report.remeshing_seconds = timer.time();
   return report;

@@ -107,7 +107,7 @@ Remeshing_result remesh_faces_by_error(const FaceRange& faces, TriangleMesh& tme
                                        const NamedParameters& np)
 {
   const auto by_error = [](const NamedParameters& given)
-  { return parameters::begin_with(given).remeshing_scheme(Remeshing_scheme::MEASURED_ERROR); };
+  { return parameters::begin_with(given).embedding(Normal_embedding(0)).remeshing_scheme(Remeshing_scheme::MEASURED_ERROR); };
   if constexpr (is_given<NamedParameters, internal_np::sharp_angle_t>)
   {
     const auto edge_is_crease = get(dynamic_edge_property_t<bool>(), tmesh);
@@ -136,8 +136,9 @@ Remeshing_result remesh_faces_on_built_surface(const FaceRange& faces, TriangleM
   typedef Simple_cartesian<double> Kernel;
 
   check_parameters(np);
-  if (is_by_measured_error(np, number_of_faces_in(faces)))
-    return remesh_faces_by_error<ConcurrencyTag>(faces, tmesh, is_whole_mesh, np);
+  if constexpr (leaves_embedding_and_function_open<NamedParameters>)
+    if (is_by_measured_error(np, number_of_faces_in(faces)))
+      return remesh_faces_by_error<ConcurrencyTag>(faces, tmesh, is_whole_mesh, np);
   Remeshing_visitor nobody;
   Visitor_parameter<NamedParameters> visitor = visitor_parameter(np, nobody);
   visitor.stage_started(Stage::IMPLICIT_FUNCTION);

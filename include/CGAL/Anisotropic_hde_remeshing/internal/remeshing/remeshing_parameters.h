@@ -199,7 +199,7 @@ Remeshing_parameters remeshing_parameters(const NamedParameters& np, const Embed
   result.error = error_parameter(np, diagonal) / unit;
   result.target = target_length(np, embedding.unit_of_lengths(diagonal), embedding.unit_of_lengths(unit), number_of_faces);
   const bool is_coarsened = std::is_same<Embedding, Normal_embedding>::value && !result.target.is_length_given() &&
-                            !(result.error > 0) && result.target.number_of_faces() < double(number_of_faces);
+                            (result.error > 0 || result.target.number_of_faces() < double(number_of_faces));
   if (result.scheme == Remeshing_scheme::MEASURED_ERROR && !is_coarsened)
   {
     result.scheme = Remeshing_scheme::EMBEDDING;
@@ -214,15 +214,24 @@ template <typename NamedParameters, typename... Names>
 constexpr bool is_none_given = !(is_given<NamedParameters, Names> || ...);
 
 template <typename NamedParameters>
-constexpr bool leaves_embedding_and_function_open = is_given<NamedParameters, internal_np::number_of_target_faces_t>&&
-    is_none_given<NamedParameters, internal_np::sigma_t, internal_np::relative_sigma_t, internal_np::embedding_t,
-                  internal_np::approximation_error_t, internal_np::relative_approximation_error_t, internal_np::split_ratio_t,
-                  internal_np::collapse_ratio_t, internal_np::smoothing_ratio_t, internal_np::number_of_relaxation_steps_t>&&
-        is_none_given<NamedParameters, internal_np::number_of_patches_t, internal_np::patch_overlap_t,
-                      internal_np::offset_distance_t, internal_np::relative_offset_distance_t, internal_np::two_sided_offsets_t,
-                      internal_np::smoothing_t, internal_np::radial_function_t, internal_np::vertex_normal_map_t>;
+constexpr bool leaves_embedding_and_function_open =
+    (is_given<NamedParameters, internal_np::number_of_target_faces_t> || is_error_given<NamedParameters>)&&is_none_given<
+        NamedParameters, internal_np::sigma_t, internal_np::relative_sigma_t, internal_np::embedding_t,
+        internal_np::split_ratio_t, internal_np::collapse_ratio_t, internal_np::smoothing_ratio_t,
+        internal_np::number_of_relaxation_steps_t>&& is_none_given<NamedParameters, internal_np::number_of_patches_t,
+                                                                   internal_np::patch_overlap_t, internal_np::offset_distance_t,
+                                                                   internal_np::relative_offset_distance_t,
+                                                                   internal_np::two_sided_offsets_t, internal_np::smoothing_t,
+                                                                   internal_np::radial_function_t,
+                                                                   internal_np::vertex_normal_map_t>;
 
-// Whether the measured error leads where nothing but a number of faces is asked for. The caller's scheme has the first word.
+// Whether the measured error leads where an error is asked for, and nothing of the embedding or the function.
+inline bool keeps_measured_error(const Remeshing_scheme scheme)
+{
+  return scheme == Remeshing_scheme::MEASURED_ERROR || scheme == Remeshing_scheme::DEFAULT;
+}
+
+// The same where nothing but a number of faces is asked for. The caller's scheme has the first word.
 inline bool is_by_measured_error(const Remeshing_scheme scheme, const double number_of_target_faces,
                                  const std::size_t number_of_faces)
 {
@@ -235,7 +244,9 @@ inline bool is_by_measured_error(const Remeshing_scheme scheme, const double num
 template <typename NamedParameters>
 bool is_by_measured_error(const NamedParameters& np, const std::size_t number_of_faces)
 {
-  if constexpr (leaves_embedding_and_function_open<NamedParameters>)
+  if constexpr (leaves_embedding_and_function_open<NamedParameters> && is_error_given<NamedParameters>)
+    return keeps_measured_error(iteration_parameters(np).scheme);
+  else if constexpr (leaves_embedding_and_function_open<NamedParameters>)
     return is_by_measured_error(iteration_parameters(np).scheme, target_length(np, 1, 1, 1).number_of_faces(), number_of_faces);
   else
     return false;

@@ -70,6 +70,7 @@ public:
 
   // bounds how far the polyline may be from an edge that stands for a part of it
   void set_largest_deviation(const double deviation) { m_largest_deviation = deviation; }
+  double largest_deviation() const { return m_largest_deviation; }
   bool bounds_deviation() const { return std::isfinite(m_largest_deviation); }
 
   // whether an edge may stand for this part of a curve

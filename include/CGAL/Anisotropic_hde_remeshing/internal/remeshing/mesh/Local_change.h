@@ -74,6 +74,22 @@ private:
   New_faces m_new_faces;
 };
 
+// what the move of a vertex to a new state changes; the state must outlive it
+template <typename Mesh>
+Local_change<Mesh> change_of_move(const Mesh& mesh, const Vertex_index v, const typename Mesh::Vertex& moved)
+{
+  Local_change<Mesh> change(mesh);
+  for (const Halfedge_index h : mesh.halfedges_around_target(mesh.halfedge(v)))
+  {
+    if (mesh.is_border(h))
+      continue;
+    const Triangle t(h, mesh);
+    change.remove(mesh.face(h));
+    change.add(change.corner(t.a, h), typename Local_change<Mesh>::Corner{v, &moved}, change.corner(t.c, h), mesh.face(h));
+  }
+  return change;
+}
+
 } // namespace internal
 } // namespace Anisotropic_hde_remeshing
 } // namespace CGAL

@@ -104,6 +104,15 @@ public:
 
   Working_mesh() { find_properties(); }
   Working_mesh(const Working_mesh&) = delete;
+  Working_mesh& operator=(const Working_mesh& other)
+  {
+    if (this == &other)
+      return *this;
+    Graph::operator=(other);
+    m_input_regions = other.m_input_regions;
+    find_properties();
+    return *this;
+  }
   // not noexcept: looking the properties up allocates
   Working_mesh& operator=(Working_mesh&& other) // NOLINT(performance-noexcept-move-constructor)
   {

@@ -12,24 +12,17 @@
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Interruption.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/parallel/parallel.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/curves/Curve_network.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/Working_mesh.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/operations/Edge_contraction.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/operations/Edge_subdivision.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/operations/Measured_contractions.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/operations/Sampled_operations.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/projection/Input_surface.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/samples/Sample_owners.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/samples/Shape_price.h>
 
-#include <CGAL/boost/graph/Euler_operations.h>
-
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -42,7 +35,6 @@ template <typename ConcurrencyTag, typename Mesh, typename Guard>
 class Edge_exchanger
 {
   typedef Sample_owners<ConcurrencyTag, Mesh> Owners;
-  typedef typename Mesh::Vertex Vertex;
 
   static constexpr double gain_of_split = 0.6;    // of the cost of both faces
   static constexpr double smallest_profit = 1.3;  // of a split, over what the contraction costs
@@ -58,16 +50,9 @@ class Edge_exchanger
   };
 
 public:
-  Edge_exchanger(Mesh& mesh, const Curve_network& curves, const Guard& guard, const Input_surface& input, Owners& owners,
-                 const Shape_price& price, Interruption& interruption)
-    : m_mesh(mesh),
-      m_contraction(mesh, curves, guard),
-      m_subdivision(mesh, guard),
-      m_guard(guard),
-      m_input(input),
-      m_owners(owners),
-      m_price(price),
-      m_interruption(interruption)
+  Edge_exchanger(const Mesh& mesh, const Input_surface& input, const Owners& owners, const Shape_price& price,
+                 Sampled_operations<ConcurrencyTag, Mesh, Guard>& operations, Interruption& interruption)
+    : m_mesh(mesh), m_input(input), m_owners(owners), m_price(price), m_operations(operations), m_interruption(interruption)
   {
   }
 
@@ -78,23 +63,21 @@ public:
     const std::vector<Measured_contraction> contractions = paying_contractions(largest_number, splits);
     if (m_interruption.is_requested())
       return 0; // not all have been measured
-    std::vector<char> is_touched(vertex_capacity(m_mesh), 0);
+    // every split has its contraction, and no two of all have a vertex in common
+    m_operations.begin();
     std::vector<std::pair<Measured_contraction, Edge_index>> pairs;
     std::size_t next = 0;
     for (const Measured_contraction& c : contractions)
     {
       if (pairs.size() == largest_number)
         break;
-      if (is_any_touched(c.halfedge, is_touched))
+      if (!m_operations.take_ring(c.halfedge))
         continue;
-      std::vector<Vertex_index> ring = ring_of(c.halfedge);
-      for (const Vertex_index v : ring)
-        is_touched[v] = 1;
-      while (next < splits.size() && is_quad_touched(splits[next].edge, is_touched))
+      while (next < splits.size() && splits[next].gain >= smallest_profit * c.cost &&
+             !m_operations.take_quad(splits[next].edge))
         ++next;
       if (next == splits.size() || splits[next].gain < smallest_profit * c.cost)
         break;
-      touch_quad(splits[next].edge, is_touched);
       pairs.emplace_back(c, splits[next].edge);
       ++next;
     }
@@ -103,13 +86,12 @@ public:
     {
       if (m_interruption.poll())
         break;
-      const Halfedge_index h = pair.first.halfedge, g = m_mesh.halfedge(pair.second);
-      const Vertex kept = kept_state(pair.first), middle = middle_of(g);
-      if (CGAL::Euler::does_satisfy_link_condition(pair.first.edge, m_mesh.graph()) &&
-          m_guard.accepts(m_contraction.change(h, kept)) && m_guard.accepts(m_subdivision.change(g, middle, {})))
+      const Halfedge_index h = m_mesh.halfedge(pair.second);
+      const Vector middle = middle_on_input(h);
+      if (m_operations.accepts(pair.first) && m_operations.accepts_split(h, middle))
       {
-        contract(h, kept);
-        split(g, middle);
+        m_operations.contract(pair.first);
+        m_operations.split(h, middle);
         ++number;
       }
     }
@@ -117,45 +99,6 @@ public:
   }
 
 private:
-  bool is_bound(const Vertex_index v) const { return m_mesh.point(v).is_on_curve || m_mesh.point(v).is_fixed; }
-
-  std::vector<Vertex_index> ring_of(const Halfedge_index h) const
-  {
-    std::vector<Vertex_index> result{m_mesh.source(h), m_mesh.target(h)};
-    for (const Halfedge_index end : {h, m_mesh.opposite(h)})
-      for (const Halfedge_index in : m_mesh.halfedges_around_target(end))
-        result.push_back(m_mesh.source(in));
-    return result;
-  }
-
-  bool is_any_touched(const Halfedge_index h, const std::vector<char>& is_touched) const
-  {
-    for (const Vertex_index v : ring_of(h))
-      if (is_touched[v])
-        return true;
-    return false;
-  }
-
-  std::array<Vertex_index, 4> quad(const Edge_index e) const
-  {
-    const Halfedge_index h = m_mesh.halfedge(e), g = m_mesh.opposite(h);
-    return {m_mesh.source(h), m_mesh.target(h), m_mesh.target(m_mesh.next(h)), m_mesh.target(m_mesh.next(g))};
-  }
-
-  bool is_quad_touched(const Edge_index e, const std::vector<char>& is_touched) const
-  {
-    for (const Vertex_index v : quad(e))
-      if (is_touched[v])
-        return true;
-    return false;
-  }
-
-  void touch_quad(const Edge_index e, std::vector<char>& is_touched) const
-  {
-    for (const Vertex_index v : quad(e))
-      is_touched[v] = 1;
-  }
-
   // Measures contractions in batches, the most promising first, as long as they find a split that is worth more.
   std::vector<Measured_contraction> paying_contractions(const std::size_t largest_number, const std::vector<Split>& splits)
   {
@@ -215,67 +158,17 @@ private:
     return (m_mesh.point(m_mesh.source(h)).point - m_mesh.point(m_mesh.target(h)).point).squaredNorm();
   }
 
-  // of the target of a contraction
-  Vertex kept_state(const Measured_contraction& c) const
+  Vector middle_on_input(const Halfedge_index h) const
   {
-    const Vertex_index a = m_mesh.source(c.halfedge), b = m_mesh.target(c.halfedge);
-    Vertex state = m_mesh.point(b);
-    if (is_bound(b))
-      return state;
-    state.point = c.point;
-    const Vector normal = m_mesh.state(a, c.halfedge).normal + state.normal;
-    if (normal.norm() > 0)
-      state.normal = normal.normalized();
-    return state;
-  }
-
-  void contract(const Halfedge_index h, const Vertex& kept)
-  {
-    std::vector<std::uint32_t> samples;
-    for (const Halfedge_index end : {h, m_mesh.opposite(h)})
-      for (const Halfedge_index in : m_mesh.halfedges_around_target(end))
-        if (!m_mesh.is_border(in))
-          m_owners.take(m_mesh.face(in), samples);
-    const Vertex_index v = m_contraction.contract(h, kept);
-    std::vector<Face_index> faces;
-    for (const Halfedge_index in : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
-      if (!m_mesh.is_border(in))
-        faces.push_back(m_mesh.face(in));
-    m_owners.give(samples, faces);
-  }
-
-  // puts the middle of an edge on the input
-  Vertex middle_of(const Halfedge_index h) const
-  {
-    Vertex state;
     const Vector middle = (m_mesh.point(m_mesh.source(h)).point + m_mesh.point(m_mesh.target(h)).point) / 2;
-    state.point = m_input.empty() ? middle : m_input.closest(middle).point;
-    const Vector normal = m_mesh.state(m_mesh.source(h), h).normal + m_mesh.state(m_mesh.target(h), h).normal;
-    if (normal.norm() > 0)
-      state.normal = normal.normalized();
-    return state;
+    return m_input.empty() ? middle : m_input.closest(middle).point;
   }
 
-  void split(const Halfedge_index h, const Vertex& middle)
-  {
-    std::vector<std::uint32_t> samples;
-    m_owners.take(m_mesh.face(h), samples);
-    m_owners.take(m_mesh.face(m_mesh.opposite(h)), samples);
-    const Vertex_index v = m_subdivision.split(h, middle, {});
-    m_owners.resize();
-    std::vector<Face_index> faces;
-    for (const Halfedge_index in : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
-      faces.push_back(m_mesh.face(in));
-    m_owners.give(samples, faces);
-  }
-
-  Mesh& m_mesh;
-  const Edge_contraction<Mesh, Guard> m_contraction;
-  const Edge_subdivision<Mesh, Guard> m_subdivision;
-  const Guard& m_guard;
+  const Mesh& m_mesh;
   const Input_surface& m_input;
-  Owners& m_owners;
+  const Owners& m_owners;
   const Shape_price& m_price;
+  Sampled_operations<ConcurrencyTag, Mesh, Guard>& m_operations;
   Interruption& m_interruption;
 };
 

@@ -16,6 +16,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/Local_change.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/Working_mesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/samples/Sample_owners.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/samples/Sampled_ring.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/samples/Shape_price.h>
 
 #include <Eigen/Cholesky>
@@ -48,6 +49,7 @@ class Error_fitter
   static constexpr double longest_step = 0.4;        // of the shortest edge at a vertex
   static constexpr int number_of_halvings = 4;
   static constexpr double smallest_cosine = 0.3, smallest_cosine_of_turn = 0.5;
+  static constexpr double share_without_check = 0.5; // of the largest distance: below it nothing happens
 
   // what a face adds to the normal equations: blocks of its corners, the pairs 00 11 22 01 12 20
   struct Face_system
@@ -132,16 +134,16 @@ private:
   // the other way: points of the face against the planes of the nearest samples
   void add_points_of_face(const Face_index f, const Space_triangle& t, Face_system& s) const
   {
-    const double area = t.normal().norm() / (2 * double(Owners::number_of_nodes) * m_owners.area_of_surface());
+    const double area = t.normal().norm() / (2 * m_owners.area_of_surface());
     for (std::size_t node = 0; node < Owners::number_of_nodes; ++node)
     {
       const std::uint32_t nearest = m_owners.nearest(f, node);
       if (Owners::is_none(nearest))
         continue;
-      const Vector& b = Owners::node(node);
-      const Vector q = b[0] * t.a + b[1] * t.b + b[2] * t.c;
+      const Vector& b = Owners::node(node).barycentric;
+      const Vector q = t.point(b);
       const Vector x = m_owners.reference_point(q, nearest), normal = m_owners.sample(nearest).normal.template cast<double>();
-      add((x - q), normal, area * bounded_weight((x - q).squaredNorm()), b, s);
+      add((x - q), normal, Owners::node(node).weight * area * bounded_weight((x - q).squaredNorm()), b, s);
     }
   }
 
@@ -297,25 +299,27 @@ private:
           ratio > (std::max)(m_price.free_ratio(), (std::min)(m_price.largest_ratio(), 1.1 * ratio_before)))
         return false;
     }
-    return m_guard.accepts(move(v, point));
-  }
-
-  // what a move changes
-  Local_change<Mesh> move(const Vertex_index v, const Vector& point) const
-  {
-    Local_change<Mesh> change(m_mesh);
+    if (m_owners.bounds_distance() && !stays_within_distance(v, point))
+      return false;
     m_moved = m_mesh.point(v);
     m_moved.point = point;
+    return m_guard.accepts(change_of_move(m_mesh, v, m_moved));
+  }
+
+  // Around the vertex no distance may become larger than the largest that is allowed; if one is already, all must cost less.
+  bool stays_within_distance(const Vertex_index v, const Vector& point) const
+  {
+    const double largest_square = m_owners.largest_square();
+    double square = (m_mesh.point(v).point - point).squaredNorm();
     for (const Halfedge_index h : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
-    {
-      if (m_mesh.is_border(h))
-        continue;
-      const Triangle t(h, m_mesh);
-      change.remove(m_mesh.face(h));
-      change.add(change.corner(t.a, h), typename Local_change<Mesh>::Corner{v, &m_moved}, change.corner(t.c, h),
-                 m_mesh.face(h));
-    }
-    return change;
+      if (!m_mesh.is_border(h))
+        square = (std::max)(square, m_owners.squared_distance(m_mesh.face(h)));
+    if (square < share_without_check * share_without_check * largest_square)
+      return true;
+    Sampled_ring<ConcurrencyTag, Mesh> ring(m_mesh, m_owners, m_price);
+    ring.add_vertex(v);
+    const double infinity = (std::numeric_limits<double>::infinity)();
+    return ring.cost_at(point, infinity, largest_square) < infinity || ring.cost_at(point, ring.cost(), infinity) < ring.cost();
   }
 
   Mesh& m_mesh;

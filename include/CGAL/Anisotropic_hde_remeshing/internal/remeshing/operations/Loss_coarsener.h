@@ -32,7 +32,7 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// Contracts edges in the order of what is lost by it, until the mesh has a number of faces. Quadrics add up what has been lost
+// Contracts edges in the order of what is lost by it, until the mesh has a number of faces or too much would be lost. Quadrics add up what has been lost
 // before. A vertex inside the surface goes where the loss is least. A small part of the quadrics is the squared distance to the
 // vertices that it stands for: it spreads the vertices where the surface is flat, and keeps the matrices regular.
 template <typename ConcurrencyTag, typename Mesh, typename Guard>
@@ -62,8 +62,10 @@ public:
   {
   }
 
-  // Returns, for each vertex before, the vertex that stands for it after.
-  std::vector<Vertex_index> operator()(const std::size_t number_of_faces)
+  // Nowhere may the mean of the squared distances become larger. Returns, for each vertex before, the vertex that stands for it
+  // after.
+  std::vector<Vertex_index> operator()(const std::size_t number_of_faces,
+                                       const double largest_mean_square = (std::numeric_limits<double>::infinity)())
   {
     init();
     std::size_t n = m_mesh.number_of_faces();
@@ -73,6 +75,8 @@ public:
       m_heap.pop();
       const Edge_index e(c.edge);
       if (c.version != m_versions[e] || m_mesh.is_removed(e))
+        continue;
+      if (c.cost > largest_mean_square * (m_areas[m_mesh.vertex(e, 0)] + m_areas[m_mesh.vertex(e, 1)]))
         continue;
       Halfedge_index h;
       Vector point;
@@ -98,6 +102,7 @@ private:
   {
     m_quadrics.assign(vertex_capacity(m_mesh), Quadric());
     m_normals.assign(vertex_capacity(m_mesh), Vector::Zero());
+    m_areas.assign(vertex_capacity(m_mesh), 0.);
     m_versions.assign(edge_capacity(m_mesh), 0);
     m_parents.resize(vertex_capacity(m_mesh));
     for (std::size_t v = 0; v < m_parents.size(); ++v)
@@ -140,6 +145,7 @@ private:
           m_quadrics[v] += Quadric::of_point(p, weight_of_points * third);
         }
         m_normals[v] += n / 3;
+        m_areas[v] += third;
       }
       if (m_mesh.is_on_curve(m_mesh.edge(h)))
         add_curve(h, v);
@@ -248,10 +254,12 @@ private:
     Quadric sum = m_quadrics[a];
     sum += m_quadrics[b];
     const Vector normal = m_normals[a] + m_normals[b];
+    const double area = m_areas[a] + m_areas[b];
     const Vertex_index v = m_contraction.contract(h, kept);
     m_parents[v == a ? b : a] = v;
     m_quadrics[v] = sum;
     m_normals[v] = normal;
+    m_areas[v] = area;
     for (const Halfedge_index in : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
     {
       const Edge_index e = m_mesh.edge(in);
@@ -277,7 +285,8 @@ private:
   const Guard& m_guard;
   Interruption& m_interruption;
   std::vector<Quadric> m_quadrics;
-  std::vector<Vector> m_normals;         // of the area that a vertex stands for
+  std::vector<Vector> m_normals; // of the area that a vertex stands for
+  std::vector<double> m_areas;
   std::vector<std::uint32_t> m_versions; // of edges
   std::vector<Vertex_index> m_parents;
   std::priority_queue<Candidate> m_heap;

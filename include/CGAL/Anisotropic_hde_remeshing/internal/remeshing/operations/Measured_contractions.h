@@ -12,17 +12,16 @@
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
 #include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Quadric.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Space_triangle.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Interruption.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/parallel.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/Working_mesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/samples/Sample_owners.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/samples/Sampled_ring.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/samples/Shape_price.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -54,8 +53,6 @@ class Measured_contractions
   typedef Sample_owners<ConcurrencyTag, Mesh> Owners;
 
   static constexpr std::size_t largest_degree = 14; // of both ends together
-  static constexpr double smallest_cosine = 0.3;
-  static constexpr std::size_t enough_samples = 100; // to measure a contraction
 
 public:
   Measured_contractions(const Mesh& mesh, const Owners& owners, const Shape_price& price)
@@ -69,6 +66,14 @@ public:
                                    if (!m_mesh.is_removed(v))
                                      m_quadrics[i] = quadric(v);
                                  });
+  }
+
+  // whether an edge may be contracted
+  bool is_candidate(const Edge_index e) const
+  {
+    const Vertex_index a = m_mesh.vertex(e, 0), b = m_mesh.vertex(e, 1);
+    return !(is_bound(a) && is_bound(b)) && m_mesh.degree(a) + m_mesh.degree(b) <= largest_degree &&
+           CGAL::Euler::does_satisfy_link_condition(e, m_mesh.graph());
   }
 
   // edges that may be contracted, the cheapest by the quadrics first, at most `largest_number`
@@ -108,25 +113,9 @@ public:
   }
 
 private:
-  // what a contraction changes: the faces that stay, and the samples of all
-  struct Surroundings
-  {
-    std::vector<std::array<Vector, 3>> corners; // of the faces that stay; the moving one comes first
-    std::vector<std::uint32_t> samples;
-    double weight; // of each sample, over that of its area
-    double cost_before;
-  };
-
   static double infinity() { return (std::numeric_limits<double>::infinity)(); }
 
   bool is_bound(const Vertex_index v) const { return m_mesh.point(v).is_on_curve || m_mesh.point(v).is_fixed; }
-
-  bool is_candidate(const Edge_index e) const
-  {
-    const Vertex_index a = m_mesh.vertex(e, 0), b = m_mesh.vertex(e, 1);
-    return !(is_bound(a) && is_bound(b)) && m_mesh.degree(a) + m_mesh.degree(b) <= largest_degree &&
-           CGAL::Euler::does_satisfy_link_condition(e, m_mesh.graph());
-  }
 
   Quadric quadric(const Vertex_index v) const
   {
@@ -157,12 +146,14 @@ private:
     const Halfedge_index h = m_mesh.halfedge(e);
     const Vertex_index a = m_mesh.source(h), b = m_mesh.target(h);
     const Vector &p = m_mesh.point(a).point, &q = m_mesh.point(b).point;
-    const Surroundings surroundings = surroundings_of(h);
+    Sampled_ring<ConcurrencyTag, Mesh> ring(m_mesh, m_owners, m_price);
+    ring.add_edge(h);
+    if (!(largest_squared_distance < infinity()))
+      ring.leave_samples_out();
     Measured_contraction best{limit, e, h, Vector::Zero()};
     const auto look_at = [&](const Halfedge_index to, const Vector& point)
     {
-      const double cost = cost_at(point, surroundings, surroundings.cost_before + best.cost, largest_squared_distance) -
-                          surroundings.cost_before;
+      const double cost = ring.cost_at(point, ring.cost() + best.cost, largest_squared_distance) - ring.cost();
       if (cost < best.cost)
         best = Measured_contraction{cost, e, to, point};
     };
@@ -178,89 +169,6 @@ private:
     if (!is_bound(b))
       look_at(m_mesh.opposite(h), p);
     return best;
-  }
-
-  Surroundings surroundings_of(const Halfedge_index h) const
-  {
-    Surroundings result;
-    result.cost_before = 0;
-    for (const Halfedge_index end : {h, m_mesh.opposite(h)})
-    {
-      const Vertex_index other = m_mesh.source(end);
-      for (const Halfedge_index in : m_mesh.halfedges_around_target(end))
-      {
-        if (m_mesh.is_border(in))
-          continue;
-        const Triangle t(in, m_mesh);
-        const bool has_both = t.a == other || t.c == other;
-        if (has_both && end != h)
-          continue;
-        const Face_index f = m_mesh.face(in);
-        result.cost_before += m_owners.cost(f) + m_price(m_owners.triangle(f));
-        m_owners.for_each(f, [&](const std::uint32_t i) { result.samples.push_back(i); });
-        if (!has_both)
-          result.corners.push_back({m_mesh.point(t.b).point, m_mesh.point(t.c).point, m_mesh.point(t.a).point});
-      }
-    }
-    const std::size_t stride = (std::max)(result.samples.size() / enough_samples, std::size_t(1));
-    std::size_t n = 0;
-    for (std::size_t i = 0; i < result.samples.size(); i += stride)
-      result.samples[n++] = result.samples[i];
-    result.samples.resize(n);
-    result.weight = double(stride);
-    return result;
-  }
-
-  // the costs of the faces if their first corner is at a point; infinite if that must not be, or if it is more than `limit`
-  double cost_at(const Vector& point, const Surroundings& surroundings, const double limit,
-                 const double largest_squared_distance) const
-  {
-    double cost = price_at(point, surroundings);
-    for (const std::uint32_t i : surroundings.samples)
-    {
-      if (!(cost < limit))
-        return infinity();
-      const Reference_sample& s = m_owners.sample(i);
-      double least = infinity();
-      for (const auto& c : surroundings.corners)
-        least = (std::min)(least, closest_on_triangle(s.point, point, c[1], c[2]).squared_distance);
-      if (least > largest_squared_distance)
-        return infinity();
-      cost += surroundings.weight * s.area * m_owners.cost(least);
-    }
-    std::array<std::uint32_t, Owners::number_of_nodes> nearest;
-    for (const auto& c : surroundings.corners)
-    {
-      if (!(cost < limit))
-        return infinity();
-      cost += m_owners.cost_of_way_back(
-          Space_triangle{point, c[1], c[2]},
-          [&](const auto& visit)
-          {
-            for (const std::uint32_t i : surroundings.samples)
-              visit(i);
-          },
-          nearest);
-    }
-    return cost;
-  }
-
-  // of the shapes; infinite if a face turns too far or becomes a needle
-  double price_at(const Vector& point, const Surroundings& surroundings) const
-  {
-    double price = 0;
-    for (const auto& c : surroundings.corners)
-    {
-      const Space_triangle before{c[0], c[1], c[2]}, after{point, c[1], c[2]};
-      const Vector m = before.normal(), n = after.normal();
-      if (!(n.norm() > 0) || n.dot(m) < smallest_cosine * n.norm() * m.norm())
-        return infinity();
-      const double ratio = after.ratio();
-      if (ratio > m_price.largest_ratio() && ratio > before.ratio())
-        return infinity();
-      price += m_price(after);
-    }
-    return price;
   }
 
   const Mesh& m_mesh;

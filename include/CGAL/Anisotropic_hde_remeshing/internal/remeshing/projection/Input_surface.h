@@ -50,6 +50,8 @@ public:
   const std::vector<Vector>& points() const { return m_points; }
   const std::vector<Facet>& facets() const { return m_facets; }
 
+  const Closest_facet& closest_facet() const { return m_closest_facet; }
+
   // requires that it is not empty
   Closest_facet::Answer closest(const Vector& p) const { return m_closest_facet(p); }
 
