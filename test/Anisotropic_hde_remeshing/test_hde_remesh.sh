@@ -94,6 +94,23 @@ check "the data's STL" run 0 "$data/sphere.stl" data_stl.off $quick
 check "the data's PLY" run 0 "$data/sphere.ply" ply.off $quick
 tr ' ' '\t' <sphere.obj >tabs.obj
 check "OBJ with tabs" run 0 tabs.obj tabs.off $quick
+# byte order marks; the header of a binary STL file may begin with the same bytes
+for format in off obj; do
+  { printf '\xEF\xBB\xBF'; cat sphere.$format; } >mark.$format
+  check "$format with a byte order mark" run 0 mark.$format mark_$format.off --iterations 0 --no-distance
+  check "it has all vertices" [ "$(awk '$1 == "vertices" { print $2 }' stdout)" -eq "$(grep -c '^v ' sphere.obj)" ]
+done
+if command -v iconv >/dev/null; then
+  { printf '\xFF\xFE'; iconv -f ASCII -t UTF-16LE sphere.off; } >utf16.off
+  { printf '\xFE\xFF'; iconv -f ASCII -t UTF-16BE sphere.obj; } >utf16.obj
+  for format in off obj; do
+    check "$format in UTF-16" run 0 utf16.$format mark_$format.off --iterations 0 --no-distance
+    check "it has all vertices, too" [ "$(awk '$1 == "vertices" { print $2 }' stdout)" -eq "$(grep -c '^v ' sphere.obj)" ]
+  done
+fi
+{ printf '\xFF\xFE'; tail -c +3 sphere.stl; } >mark.stl
+check "a binary STL file that begins so" run 0 mark.stl mark_stl.off $quick
+check "is read as it is" grep -Eq '^Euler characteristic +2 +2$' stdout
 check "in place" run 0 tabs.off tabs.off $quick
 
 # ------------------------------------------------------------------------------------------------------------- options
