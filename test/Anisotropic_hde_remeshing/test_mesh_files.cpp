@@ -337,6 +337,9 @@ void test_stl()
   CHECK(read(stl().substr(0, stl().find("endsolid"))).notes.size() == 1);
   check_read("no name, no normal", read, replaced(replaced(stl(), "solid tetrahedron", "solid"), " normal 0 0 1", ""));
   check_read("a facet a line", read, replaced(replaced(stl(), "\n outer", " outer"), "loop\n", "loop "));
+  std::string with_minus_zero = stl();
+  with_minus_zero.insert(with_minus_zero.rfind("0.000000 0.000000 1.500000"), "-");
+  check_read("-0 and 0 are one", read, with_minus_zero);
   check_read("binary", read, binary_stl());
   check_read("binary that begins with solid", read, binary_stl("solid facet vertex"));
   check_read("a byte behind the last facet", read, binary_stl() + "\n");

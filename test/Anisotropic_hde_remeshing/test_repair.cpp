@@ -278,6 +278,16 @@ void test_walls()
     for (const std::size_t y : {0, 1})
       add_cube(four, x, y, 0, true);
   check_solids(four, 1, 4, 16);
+  // the wall is there twice, with different diagonals; and the second cube looks inward
+  Soup crossed = twice, inward = twice;
+  Face &a = crossed.faces[crossed.faces.size() - 2], &b = crossed.faces.back();
+  const Face quad = {a[0], a[1], a[2], b[2]};
+  a = {quad[0], quad[1], quad[3]};
+  b = {quad[1], quad[2], quad[3]};
+  check_solids(crossed, 2, 2, 0);
+  for (std::size_t f = inward.faces.size() / 2; f < inward.faces.size(); ++f)
+    std::swap(inward.faces[f][0], inward.faces[f][1]);
+  check_solids(inward, 1, 2, 2);
   // the cubes touch in an edge: they are two, without a wall; the edge is in two parts, as those of two cubes each
   add_cube(edge, 0, 0, 0, true);
   add_cube(edge, 1, 1, 0, true);

@@ -12,12 +12,14 @@
 #include "readers.h"
 #include "rounding.h"
 
+#include <boost/container_hash/hash.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <cstdint>
-#include <map>
 #include <string_view>
+#include <unordered_map>
 
 namespace hde_remesh {
 
@@ -33,7 +35,8 @@ public:
     std::vector<std::size_t>& face = m_soup.faces.emplace_back();
     for (const Point_3& p : corners)
     {
-      const auto [place, is_new] = m_numbers.emplace(p, m_soup.points.size());
+      const Key key = {p.x() + 0., p.y() + 0., p.z() + 0.}; // -0. is 0.
+      const auto [place, is_new] = m_numbers.emplace(key, m_soup.points.size());
       if (is_new)
         m_soup.points.push_back(p);
       face.push_back(place->second);
@@ -41,8 +44,10 @@ public:
   }
 
 private:
+  typedef std::array<double, 3> Key;
+
   Soup& m_soup;
-  std::map<Point_3, std::size_t> m_numbers;
+  std::unordered_map<Key, std::size_t, boost::hash<Key>> m_numbers; // no one asks for their order
 };
 
 constexpr std::size_t header_size = 80, data_begin = 84, facet_size = 50;

@@ -11,8 +11,11 @@
 
 #include "../../../examples/Anisotropic_hde_remeshing/hde_remesh/Failure.h"
 #include "../../../examples/Anisotropic_hde_remeshing/hde_remesh/Mesh.h"
+#include "../../../examples/Anisotropic_hde_remeshing/hde_remesh/cracks.h"
+#include "../../../examples/Anisotropic_hde_remeshing/hde_remesh/flat_faces.h"
 #include "../../../examples/Anisotropic_hde_remeshing/hde_remesh/mesh_file.h"
 #include "../../../examples/Anisotropic_hde_remeshing/hde_remesh/repair.h"
+#include "../../../examples/Anisotropic_hde_remeshing/hde_remesh/sides.h"
 #include "../promises.h"
 
 #include <CGAL/Rbf_implicit_function.h>
@@ -20,6 +23,7 @@
 
 #include <unistd.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -28,6 +32,7 @@
 #include <iostream>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
 
@@ -43,18 +48,51 @@ struct Parameters
   double sigma, factor;
 };
 
+[[noreturn]] void fail(const std::string& broken)
+{
+  std::cerr << broken << std::endl;
+  std::abort();
+}
+
+// edges with one face, and with more than two
+std::array<std::size_t, 2> numbers_of_edges(const hde_remesh::Soup& soup)
+{
+  std::array<std::size_t, 2> numbers = {0, 0};
+  hde_remesh::for_each_edge(hde_remesh::sides_of(soup),
+                            [&](const std::vector<std::size_t>& sides)
+                            {
+                              numbers[0] += sides.size() == 1 ? 1 : 0;
+                              numbers[1] += sides.size() > 2 ? 1 : 0;
+                            });
+  return numbers;
+}
+
+// fewer boundary edges if points are gone, and no more edges of many faces
+void close_cracks(hde_remesh::Soup& soup)
+{
+  const double tolerance = 4 * soup.rounding;
+  const auto before = numbers_of_edges(soup);
+  const std::size_t number = hde_remesh::close_cracks(soup, tolerance, hde_remesh::Orientation::OPPOSITE);
+  const auto after = numbers_of_edges(soup);
+  if (after[1] > before[1] || (number > 0 && after[0] >= before[0]))
+    fail("closing cracks has made it worse");
+}
+
 void remesh(const std::string& file_name, const Parameters& parameters)
 {
   hde_remesh::Soup soup = hde_remesh::read_soup(file_name);
   if (soup.faces.size() > largest_number_of_faces || soup.points.size() > 3 * largest_number_of_faces)
     return;
   hde_remesh::check_points(soup, file_name);
-  if (parameters.is_repaired)
+  if (!parameters.is_repaired)
+    close_cracks(soup);
+  else
   {
     hde_remesh::Repair repair;
     soup = hde_remesh::repaired(soup, 4 * soup.rounding, repair);
   }
-  const hde_remesh::Mesh input = hde_remesh::mesh_of_soup(soup, file_name).mesh;
+  hde_remesh::Mesh input = hde_remesh::mesh_of_soup(soup, file_name).mesh;
+  hde_remesh::remove_flat_faces(input);
   hde_remesh::Mesh mesh = input;
   const Function function(mesh);
   const auto np = params::relative_sigma(parameters.sigma)
@@ -63,10 +101,8 @@ void remesh(const std::string& file_name, const Parameters& parameters)
                       .do_self_intersection_tests(parameters.has_tests);
   const auto result = CGAL::anisotropic_hde_remeshing(mesh, function, np);
   const std::string broken = promises::broken(input, mesh, function, result, parameters.has_tests);
-  if (broken.empty())
-    return;
-  std::cerr << broken << std::endl;
-  std::abort();
+  if (!broken.empty())
+    fail(broken);
 }
 
 // in the memory if there is such a folder; removed at the end
