@@ -251,9 +251,9 @@ check "which is silent" [ ! -s stderr ]
 printf 'OFF\n8 12\n0 0 0\n0 0 1\n0 1 0\n0 1 1\n1 0 0\n1 0 1\n1 1 0\n1 1 1\n3 0 1 3\n3 0 3 2\n3 4 6 7\n3 4 7 5\n3 0 4 5\n3 0 5 1
 3 2 3 7\n3 2 7 6\n3 0 2 6\n3 0 6 4\n3 1 5 7\n3 1 7 3\n' >cube.off
 check "a cube without --sharp" run 0 cube.off w.off --faces 200 --smoothing 1 --json w.json
-check "has rounded edges" says "edges of IN that turn by 40 degrees or more are up to"
+check "has rounded edges" says "edges of IN that turn by 60 degrees or more are up to"
 check "and nothing to smooth, as it has few points" says "--smoothing has no effect: 1 of 1 patches of the function are answered by IN itself"
-check "both in the JSON" [ "$(grep -Ec 'turn by 40 degrees|smoothing has no effect' w.json)" -eq 2 ]
+check "both in the JSON" [ "$(grep -Ec 'turn by 60 degrees|smoothing has no effect' w.json)" -eq 2 ]
 check "a cube with --sharp" run 0 cube.off w.off --faces 200 --sharp 30
 check "has none of it" [ ! -s stderr ]
 check "an option of the function by measured error" run 0 $sphere w.off --faces 500 --scheme measured-error --kernel gaussian $quick
@@ -426,6 +426,7 @@ check "a double face" grep -q '"removed_faces": 1,' repair.json
 refuses 1 "line 5" nan.stl precious.off --repair
 refuses 1 "face 1 of 1" index.obj precious.off --repair
 refuses 2 "excludes" heat.ply precious.off --repair --field heat
+refuses 2 "excludes" heat.ply precious.off --merge .1 --field heat
 
 # -------------------------------------------------------------------------------------------------------------- cracks
 # torn FORMAT SIZE: sphere.obj as single triangles, whose points are up to SIZE / 2 from where they were, in text STL or OFF

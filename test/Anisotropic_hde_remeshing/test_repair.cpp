@@ -400,18 +400,18 @@ void test_flat_faces()
   }
   Mesh mesh = hde_remesh::mesh_of_soup(soup, "sphere").mesh;
   const double volume = CGAL::Polygon_mesh_processing::volume(mesh);
-  const hde_remesh::Flat_faces flat = hde_remesh::remove_flat_faces(mesh);
-  CHECK(flat.number >= 10 && flat.number_left == 0); // two at each edge of no length; the middles of others are rounded
+  const hde_remesh::Flat_faces flat = hde_remesh::remove_flat_faces(mesh, 1e-15);
+  CHECK(flat.number == 15 && flat.number_left == 0); // two at each edge of no length, and those under the middles
   CHECK(CGAL::is_closed(mesh) && number_of_components(mesh) == 1);
   CHECK(std::abs(CGAL::Polygon_mesh_processing::volume(mesh) - volume) < 1e-12);
-  const hde_remesh::Flat_faces again = hde_remesh::remove_flat_faces(mesh);
+  const hde_remesh::Flat_faces again = hde_remesh::remove_flat_faces(mesh, 1e-15);
   CHECK(again.number == 0);
 
   Soup flat_only; // nothing would be left of it
   flat_only.points = {Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(2, 0, 0)};
   flat_only.faces = {{0, 1, 2}};
   Mesh line = hde_remesh::mesh_of_soup(flat_only, "line").mesh;
-  const hde_remesh::Flat_faces of_line = hde_remesh::remove_flat_faces(line);
+  const hde_remesh::Flat_faces of_line = hde_remesh::remove_flat_faces(line, 0);
   CHECK(of_line.number == 1 && of_line.number_left == 1 && line.number_of_faces() == 1);
 }
 

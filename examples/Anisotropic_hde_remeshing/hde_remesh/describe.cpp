@@ -20,7 +20,7 @@ namespace hde_remesh {
 
 namespace {
 
-constexpr double sharp_edge_degrees = 40;
+constexpr double sharp_edge_degrees = 60; // of which scans have few
 
 void measure_all(const Mesh& input, const Remeshed& remeshed, const Options& options, Report& report)
 {

@@ -20,9 +20,9 @@ struct Flat_faces
   std::size_t number = 0, number_left = 0;
 };
 
-// Contracts or flips edges of the faces that have no area, as far as neither the surface nor its topology changes. What is left of
-// them are faces that cannot go.
-Flat_faces remove_flat_faces(Mesh& mesh);
+// Contracts or flips edges of the faces that have no area, or a height of no more than the tolerance. The surface changes by no more
+// than that, its topology stays. What is left of them are faces that cannot go.
+Flat_faces remove_flat_faces(Mesh& mesh, double tolerance);
 
 } // namespace hde_remesh
 

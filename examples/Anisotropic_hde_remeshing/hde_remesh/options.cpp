@@ -307,7 +307,7 @@ std::optional<Options> read_command_line(const int argc, char** argv)
                  "edges. Without it, in STL files and with --repair: 4 units in the last place of the coordinates");
   add_size_options(app, o);
   add_embedding_options(app, o);
-  app.get_option("--field")->excludes(repair);
+  app.get_option("--field")->excludes(repair)->excludes(app.get_option("--merge"));
   add_function_options(app, o);
   add_remeshing_options(app, o);
   add_report_options(app, o);

@@ -17,6 +17,7 @@
 #include "measure.h"
 #include "mesh_file.h"
 #include "repair.h"
+#include "rounding.h"
 
 #include <CGAL/boost/graph/helpers.h>
 
@@ -32,6 +33,8 @@ namespace hde_remesh {
 
 namespace {
 
+constexpr double number_of_roundings = 4;
+
 void read_field(const Options& options, Checked_mesh& input)
 {
   const std::vector<double> values = read_vertex_property(options.input, options.field);
@@ -44,9 +47,15 @@ void read_field(const Options& options, Checked_mesh& input)
 // of other files are what they are, unless they are to be repaired.
 double tolerance_of_cracks(const Options& options, const double rounding)
 {
-  static constexpr double number_of_roundings = 4;
   const bool is_rounding_mended = options.repair || format_of(options.input) == Format::STL;
   return (std::max)(options.merge.value_or(0), is_rounding_mended ? number_of_roundings * rounding : 0);
+}
+
+// Faces of no more height are flat but for rounding, that of the file only if it is mended.
+double tolerance_of_rounding(const Options& options, const Soup& soup)
+{
+  const bool is_rounding_mended = options.repair || format_of(options.input) == Format::STL;
+  return number_of_roundings * (is_rounding_mended ? soup.rounding : rounding_of_doubles(soup.points));
 }
 
 void mend(const Options& options, Soup& soup, Report& report)
@@ -149,7 +158,7 @@ Checked_mesh read_mesh(const Options& options, Report& report)
   advise(soup, input, d, report);
   if (!options.field.empty())
     read_field(options, input);
-  report.flat_faces = remove_flat_faces(input.mesh);
+  report.flat_faces = remove_flat_faces(input.mesh, tolerance_of_rounding(options, soup));
   tell_flat_faces(report);
   find_creases(input.mesh, options);
   return input;

@@ -173,7 +173,9 @@ Soup repaired(Soup soup, const double tolerance, Repair& repair)
   if (repair.turned_faces > 0 && CGAL::is_closed(mesh))
     PMP::orient(mesh);
   mesh.collect_garbage();
-  return soup_of_mesh(mesh);
+  Soup result = soup_of_mesh(mesh);
+  result.rounding = soup.rounding;
+  return result;
 }
 
 } // namespace hde_remesh

@@ -92,7 +92,7 @@ void remesh(const std::string& file_name, const Parameters& parameters)
     soup = hde_remesh::repaired(soup, 4 * soup.rounding, repair);
   }
   hde_remesh::Mesh input = hde_remesh::mesh_of_soup(soup, file_name).mesh;
-  hde_remesh::remove_flat_faces(input);
+  hde_remesh::remove_flat_faces(input, 4 * soup.rounding);
   hde_remesh::Mesh mesh = input;
   const Function function(mesh);
   const auto np = params::relative_sigma(parameters.sigma)
