@@ -184,8 +184,7 @@ private:
       m_stream << (result.approximation_error <= *m_report.error * (1 + 1e-12) ? "the error asked for is kept"
                    : result.binding_target == Hde::Target::NUMBER_OF_FACES
                        ? "the number of faces was reached before the error asked for"
-                   : m_report.has_function() ? "the error asked for is not kept: the function has no surface near some faces"
-                                             : "the error asked for is not kept: faces that intersect or fold are in the way")
+                       : "the error asked for is not kept: the function has no surface near some faces")
                << '\n';
     if (m_report.has_function())
       print_projections(result);

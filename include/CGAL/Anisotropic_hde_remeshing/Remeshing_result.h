@@ -71,8 +71,8 @@ struct Remeshing_result
   Target binding_target =
       Target::NUMBER_OF_FACES; ///< which of the given targets was reached first, or what kept the mesh from it
   /// the bound on the distance between the faces and the surface, in the unit of the mesh, if an error was asked for. It is at most
-  /// the error asked for, unless the number of faces was reached first, or faces that intersect or fold do not let the mesh come
-  /// nearer. By measured error, the distance is that between the mesh and the input, both ways, and the bound is certain. With a
+  /// the error asked for, unless the number of faces was reached first. By measured error, the distance is that between the mesh
+  /// and the input, both ways, and the bound is certain; it is 0 if the mesh stays as it was. With a
   /// function, faces at boundary and constrained curves do not count, and it is infinite where the function does not lead to a
   /// surface. It is infinite if the visitor stopped the search for it.
   double approximation_error = 0;

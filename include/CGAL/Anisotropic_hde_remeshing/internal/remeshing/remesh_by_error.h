@@ -32,7 +32,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
@@ -50,8 +49,8 @@ void remesh_once(Mesh& mesh, const Curve_network& curves, const Guard& guard, co
   report.error = remesher.error_bound();
 }
 
-// Where some faces cannot be brought near enough to the input, it begins again with a smaller distance of the samples. Where the
-// error takes more faces than allowed, their number leads.
+// Where some faces cannot be brought near enough to the input, it begins again with a smaller distance of the samples. If that does
+// not help either, the input stays as it is: it keeps every error. Where that takes more faces than allowed, their number leads.
 template <typename ConcurrencyTag, typename Mesh, typename Guard>
 void keep_error(Mesh& mesh, const Curve_network& curves, const Guard& guard, const Input_surface& input,
                 const Remeshing_parameters& parameters, const Visitor_reference visitor, Remeshing_report& report)
@@ -69,17 +68,23 @@ void keep_error(Mesh& mesh, const Curve_network& curves, const Guard& guard, con
     if (report.error <= parameters.error || visitor.interruption().is_requested())
       break;
   }
-  if (double(mesh.number_of_faces()) > parameters.target.number_of_faces() && !visitor.interruption().is_requested())
+  if (visitor.interruption().is_requested())
+    return;
+  if (!(report.error <= parameters.error) || mesh.number_of_faces() > original.number_of_faces())
+  {
+    mesh = original;
+    guard.template update_all<ConcurrencyTag>(visitor.interruption());
+    report.error = 0;
+  }
+  if (double(mesh.number_of_faces()) > parameters.target.number_of_faces())
   {
     mesh = original;
     guard.template update_all<ConcurrencyTag>(visitor.interruption());
     Remeshing_parameters by_number = parameters;
     by_number.error = 0;
     remesh_once<ConcurrencyTag>(mesh, curves, guard, input, by_number, visitor, 0, report);
-    report.error = (std::numeric_limits<double>::infinity)();
-  }
-  if (!(report.error <= parameters.error))
     report.error = bound_on_distance<ConcurrencyTag>(mesh, input, parameters.error, visitor.interruption());
+  }
 }
 
 // Remeshes the copy of the mesh by measured error. The facets of the input are the surface.
