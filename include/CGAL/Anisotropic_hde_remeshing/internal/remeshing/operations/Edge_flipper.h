@@ -13,9 +13,9 @@
 
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Interruption.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/parallel.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/Local_change.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/Working_mesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/embedded_triangle.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/operations/Edge_flips.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -31,14 +31,14 @@ enum class Flip_criterion
   ANGLE    // towards a larger smallest angle in the embedding
 };
 
-// Flips edges where the criterion gains, in passes over the edges whose surroundings have changed. A pass finds out in parallel
-// which edges gain. It flips them one after the other, and looks again only at edges next to an earlier flip.
+// Flips edges where the criterion gains.
 template <typename ConcurrencyTag, typename Embedding, typename Guard>
 class Edge_flipper
 {
   typedef Working_mesh<typename Embedding::Vertex_data> Mesh;
   typedef typename Mesh::Vertex Vertex;
-  typedef Local_change<Mesh> Change;
+  typedef Edge_flips<ConcurrencyTag, Mesh, Guard> Flips;
+  typedef typename Flips::Quad Quad;
 
   static constexpr int maximum_number_of_passes = 10;
   // the gain in the cosine below which a flip is not worth it; it also ends the passes in the case of ties
@@ -48,37 +48,23 @@ class Edge_flipper
 
 public:
   Edge_flipper(Mesh& mesh, const Embedding& embedding, const Guard& guard, Interruption& interruption)
-    : m_mesh(mesh), m_embedding(embedding), m_guard(guard), m_interruption(interruption)
+    : m_mesh(mesh), m_embedding(embedding), m_flips(mesh, guard, interruption), m_interruption(interruption)
   {
   }
 
-  // Returns the number of flips. A pass flips edges in the order of the mesh. The next pass looks at the edges around them.
-  // Only few edges are flipped, so it is enough to find them in parallel.
+  // returns the number of flips
   std::size_t operator()(const Flip_criterion criterion) const
   {
-    std::vector<char> is_queued(edge_capacity(m_mesh), 0);
     std::vector<int> valences;
     if (criterion == Flip_criterion::VALENCE)
       valences = compute_valences();
-    std::vector<Edge_index> queue = all_edges();
-    std::size_t number_of_flips = 0;
-    for (int pass = 0; pass < maximum_number_of_passes && !queue.empty() && !m_interruption.is_requested(); ++pass)
-    {
-      const std::vector<Edge_index> flipped = flip(gaining(queue, criterion, valences), criterion, valences);
-      number_of_flips += flipped.size();
-      queue = surroundings(flipped, is_queued);
-    }
-    return number_of_flips;
+    return m_flips(
+        maximum_number_of_passes, [&](const Edge_index e) { return gains(e, criterion, valences); },
+        [&](const Edge_index e) { flip(e, valences); });
   }
 
 private:
-  // the two faces of an edge from a to b; c and d are their third vertices
-  struct Quad
-  {
-    Vertex_index a, b, c, d;
-  };
-
-  // the states of these vertices; an edge inside a region has one state of each
+  // the states of the vertices of a quad; an edge inside a region has one state of each
   struct Quad_states
   {
     const Vertex &a, &b, &c, &d;
@@ -89,21 +75,6 @@ private:
     {
     }
   };
-
-  Quad quad(const Edge_index e) const
-  {
-    const Halfedge_index h = m_mesh.halfedge(e), g = m_mesh.opposite(h);
-    return {m_mesh.source(h), m_mesh.target(h), m_mesh.target(m_mesh.next(h)), m_mesh.target(m_mesh.next(g))};
-  }
-
-  std::vector<Edge_index> all_edges() const
-  {
-    std::vector<Edge_index> edges;
-    edges.reserve(m_mesh.number_of_edges());
-    for (const Edge_index e : m_mesh.edges())
-      edges.push_back(e);
-    return edges;
-  }
 
   std::vector<int> compute_valences() const
   {
@@ -122,71 +93,13 @@ private:
     return valences;
   }
 
-  // the edges that gain by a flip, in the given order
-  std::vector<Edge_index> gaining(const std::vector<Edge_index>& edges, const Flip_criterion criterion,
-                                  const std::vector<int>& valences) const
-  {
-    std::vector<char> is_gain(edges.size(), 0);
-    parallel_for<ConcurrencyTag>(
-        edges.size(), [&](const std::size_t i) { is_gain[i] = gains(edges[i], criterion, valences); }, 64, m_interruption);
-    std::vector<Edge_index> result;
-    for (std::size_t i = 0; i < edges.size(); ++i)
-      if (is_gain[i])
-        result.push_back(edges[i]);
-    return result;
-  }
-
-  // Flips the edges one after the other. An edge is left out if an earlier flip has taken its gain. Returns the edges that were
-  // flipped.
-  std::vector<Edge_index> flip(const std::vector<Edge_index>& edges, const Flip_criterion criterion,
-                               std::vector<int>& valences) const
-  {
-    std::vector<Edge_index> flipped;
-    std::vector<char> is_touched(vertex_capacity(m_mesh), 0);
-    for (const Edge_index e : edges)
-    {
-      if (m_interruption.poll())
-        break;
-      const Quad q = quad(e);
-      const bool is_changed = is_touched[q.a] || is_touched[q.b] || is_touched[q.c] || is_touched[q.d] || !m_guard.is_local();
-      if (is_changed && !gains(e, criterion, valences))
-        continue;
-      flip(e, q, valences);
-      for (const Vertex_index v : {q.a, q.b, q.c, q.d})
-        is_touched[v] = 1;
-      flipped.push_back(e);
-    }
-    return flipped;
-  }
-
-  // The edges of the faces at the given edges, each once, in the order of the mesh. `is_queued` is 0 for all edges before and
-  // after.
-  std::vector<Edge_index> surroundings(const std::vector<Edge_index>& edges, std::vector<char>& is_queued) const
-  {
-    std::vector<Edge_index> result;
-    for (const Edge_index e : edges)
-    {
-      const Halfedge_index h = m_mesh.halfedge(e), g = m_mesh.opposite(h);
-      for (const Halfedge_index side : {h, m_mesh.next(h), m_mesh.prev(h), m_mesh.next(g), m_mesh.prev(g)})
-      {
-        const Edge_index edge = m_mesh.edge(side);
-        if (!is_queued[edge])
-          result.push_back(edge);
-        is_queued[edge] = 1;
-      }
-    }
-    for (const Edge_index e : result)
-      is_queued[e] = 0;
-    std::sort(result.begin(), result.end());
-    return result;
-  }
-
   bool gains(const Edge_index e, const Flip_criterion criterion, const std::vector<int>& valences) const
   {
     if (m_mesh.is_on_curve(e))
       return false;
-    const Quad q = quad(e);
-    return (criterion == Flip_criterion::VALENCE ? gains_valence(e, q, valences) : gains_angle(e, q)) && is_allowed(e, q);
+    const Quad q = m_flips.quad(e);
+    return (criterion == Flip_criterion::VALENCE ? gains_valence(e, q, valences) : gains_angle(e, q)) &&
+           m_flips.is_allowed(e, q);
   }
 
   bool gains_valence(const Edge_index e, const Quad& q, const std::vector<int>& valences) const
@@ -211,17 +124,17 @@ private:
   }
 
   // `valences` are empty if they do not matter
-  void flip(const Edge_index e, const Quad& q, std::vector<int>& valences) const
+  void flip(const Edge_index e, std::vector<int>& valences) const
   {
     if (!valences.empty())
     {
+      const Quad q = m_flips.quad(e);
       --valences[q.a];
       --valences[q.b];
       ++valences[q.c];
       ++valences[q.d];
     }
-    CGAL::Euler::flip_edge(m_mesh.halfedge(e), m_mesh.graph());
-    m_guard.update_at(m_mesh.halfedge(e));
+    m_flips.flip(e);
   }
 
   // the cosines of the smallest angles in the embedding of the two faces, now and after a flip
@@ -236,29 +149,9 @@ private:
     after = (std::max)(Embedded_triangle::largest_cosine(cd, ca, ad), Embedded_triangle::largest_cosine(cd, db, bc));
   }
 
-  // whether the mesh stays a manifold, and what the guard says
-  bool is_allowed(const Edge_index e, const Quad& q) const
-  {
-    return q.c != q.d && !m_mesh.halfedge(q.c, q.d).is_valid() && m_mesh.degree(q.a) > 3 && m_mesh.degree(q.b) > 3 &&
-           m_guard.accepts(exchange(e, q));
-  }
-
-  // what a flip changes
-  Change exchange(const Edge_index e, const Quad& q) const
-  {
-    Change change(m_mesh);
-    const Halfedge_index h = m_mesh.halfedge(e);
-    change.remove(m_mesh.face(h));
-    change.remove(m_mesh.face(m_mesh.opposite(h)));
-    const auto a = change.corner(q.a, h), b = change.corner(q.b, h), c = change.corner(q.c, h), d = change.corner(q.d, h);
-    change.add(c, a, d);
-    change.add(d, b, c);
-    return change;
-  }
-
-  Mesh& m_mesh;
+  const Mesh& m_mesh;
   const Embedding& m_embedding;
-  const Guard& m_guard;
+  const Flips m_flips;
   Interruption& m_interruption;
 };
 

@@ -12,16 +12,15 @@
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Interruption.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/parallel/parallel.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/Local_change.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/Working_mesh.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/operations/Edge_flips.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/samples/Sample_owners.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/samples/Shape_price.h>
 
-#include <CGAL/boost/graph/Euler_operations.h>
-
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL {
@@ -33,6 +32,7 @@ template <typename ConcurrencyTag, typename Mesh, typename Guard>
 class Error_flipper
 {
   typedef Sample_owners<ConcurrencyTag, Mesh> Owners;
+  typedef Edge_flips<ConcurrencyTag, Mesh, Guard> Flips;
 
   static constexpr int maximum_number_of_passes = 4;
   static constexpr double smallest_gain = 0.03;            // of the cost of both faces
@@ -41,80 +41,26 @@ class Error_flipper
 
 public:
   Error_flipper(Mesh& mesh, const Guard& guard, Owners& owners, const Shape_price& price, Interruption& interruption)
-    : m_mesh(mesh), m_guard(guard), m_owners(owners), m_price(price), m_interruption(interruption)
+    : m_mesh(mesh), m_owners(owners), m_price(price), m_flips(mesh, guard, interruption)
   {
   }
 
+  // returns the number of flips
   std::size_t operator()()
   {
-    std::size_t number = 0;
-    std::vector<Edge_index> queue(m_mesh.edges().begin(), m_mesh.edges().end());
-    std::vector<char> is_queued(edge_capacity(m_mesh), 0);
-    for (int pass = 0; pass < maximum_number_of_passes && !queue.empty() && !m_interruption.is_requested(); ++pass)
-    {
-      const std::vector<Edge_index> flipped = flip(gaining(queue));
-      number += flipped.size();
-      queue = surroundings(flipped, is_queued);
-    }
-    return number;
+    return m_flips(
+        maximum_number_of_passes, [&](const Edge_index e) { return gains(e); }, [&](const Edge_index e) { flip(e); });
   }
 
 private:
-  std::vector<Edge_index> gaining(const std::vector<Edge_index>& edges) const
+  void flip(const Edge_index e)
   {
-    std::vector<char> is_gain(edges.size(), 0);
-    parallel_for<ConcurrencyTag>(
-        edges.size(), [&](const std::size_t i) { is_gain[i] = gains(edges[i]); }, 64, m_interruption);
-    std::vector<Edge_index> result;
-    for (std::size_t i = 0; i < edges.size(); ++i)
-      if (is_gain[i])
-        result.push_back(edges[i]);
-    return result;
-  }
-
-  std::vector<Edge_index> flip(const std::vector<Edge_index>& edges)
-  {
-    std::vector<Edge_index> flipped;
-    std::vector<char> is_touched(vertex_capacity(m_mesh), 0);
-    std::vector<std::uint32_t> samples;
-    for (const Edge_index e : edges)
-    {
-      const Halfedge_index h = m_mesh.halfedge(e), g = m_mesh.opposite(h);
-      const std::array<Vertex_index, 4> q{m_mesh.source(h), m_mesh.target(h), m_mesh.target(m_mesh.next(h)),
-                                          m_mesh.target(m_mesh.next(g))};
-      if ((is_touched[q[0]] || is_touched[q[1]] || is_touched[q[2]] || is_touched[q[3]] || !m_guard.is_local()) && !gains(e))
-        continue;
-      samples.clear();
-      m_owners.take(m_mesh.face(h), samples);
-      m_owners.take(m_mesh.face(g), samples);
-      CGAL::Euler::flip_edge(h, m_mesh.graph());
-      m_owners.give(samples, std::array<Face_index, 2>{m_mesh.face(h), m_mesh.face(g)});
-      m_guard.update_at(h);
-      for (const Vertex_index v : q)
-        is_touched[v] = 1;
-      flipped.push_back(e);
-    }
-    return flipped;
-  }
-
-  std::vector<Edge_index> surroundings(const std::vector<Edge_index>& edges, std::vector<char>& is_queued) const
-  {
-    std::vector<Edge_index> result;
-    for (const Edge_index e : edges)
-    {
-      const Halfedge_index h = m_mesh.halfedge(e), g = m_mesh.opposite(h);
-      for (const Halfedge_index side : {h, m_mesh.next(h), m_mesh.prev(h), m_mesh.next(g), m_mesh.prev(g)})
-      {
-        const Edge_index edge = m_mesh.edge(side);
-        if (!is_queued[edge])
-          result.push_back(edge);
-        is_queued[edge] = 1;
-      }
-    }
-    for (const Edge_index e : result)
-      is_queued[e] = 0;
-    std::sort(result.begin(), result.end());
-    return result;
+    const Halfedge_index h = m_mesh.halfedge(e), g = m_mesh.opposite(h);
+    m_samples.clear();
+    m_owners.take(m_mesh.face(h), m_samples);
+    m_owners.take(m_mesh.face(g), m_samples);
+    m_flips.flip(e);
+    m_owners.give(m_samples, std::array<Face_index, 2>{m_mesh.face(h), m_mesh.face(g)});
   }
 
   bool gains(const Edge_index e) const
@@ -122,10 +68,9 @@ private:
     if (m_mesh.is_on_curve(e))
       return false;
     const Halfedge_index h = m_mesh.halfedge(e), g = m_mesh.opposite(h);
-    const Vertex_index va = m_mesh.source(h), vb = m_mesh.target(h), vc = m_mesh.target(m_mesh.next(h)),
-                       vd = m_mesh.target(m_mesh.next(g));
-    const Vector &a = m_mesh.point(va).point, &b = m_mesh.point(vb).point, &c = m_mesh.point(vc).point,
-                 &d = m_mesh.point(vd).point;
+    const typename Flips::Quad q = m_flips.quad(e);
+    const Vector &a = m_mesh.point(q.a).point, &b = m_mesh.point(q.b).point, &c = m_mesh.point(q.c).point,
+                 &d = m_mesh.point(q.d).point;
     const Face_index f = m_mesh.face(h), k = m_mesh.face(g);
     const Space_triangle old_one{a, b, c}, old_other{b, a, d}, one{c, a, d}, other{d, b, c};
     const double before = m_owners.cost(f) + m_owners.cost(k) + m_price(old_one) + m_price(old_other);
@@ -144,8 +89,6 @@ private:
       return false;
     const double ratio = (std::max)(one.ratio(), other.ratio());
     if (ratio > m_price.largest_ratio() && ratio > (std::max)(old_one.ratio(), old_other.ratio()))
-      return false;
-    if (vc == vd || m_mesh.halfedge(vc, vd).is_valid() || m_mesh.degree(va) <= 3 || m_mesh.degree(vb) <= 3)
       return false;
     const double limit = (1 - smallest_gain) * before;
     double after = price;
@@ -168,27 +111,14 @@ private:
     for (const Space_triangle* const t : {&one, &other})
       if (after < limit)
         after += m_owners.cost_of_way_back(*t, visit_samples, nearest);
-    return after < limit && m_guard.accepts(exchange(h, g));
+    return after < limit && m_flips.is_allowed(e, q);
   }
 
-  // what a flip changes
-  Local_change<Mesh> exchange(const Halfedge_index h, const Halfedge_index g) const
-  {
-    Local_change<Mesh> change(m_mesh);
-    change.remove(m_mesh.face(h));
-    change.remove(m_mesh.face(g));
-    const auto a = change.corner(m_mesh.source(h), h), b = change.corner(m_mesh.target(h), h),
-               c = change.corner(m_mesh.target(m_mesh.next(h)), h), d = change.corner(m_mesh.target(m_mesh.next(g)), h);
-    change.add(c, a, d);
-    change.add(d, b, c);
-    return change;
-  }
-
-  Mesh& m_mesh;
-  const Guard& m_guard;
+  const Mesh& m_mesh;
   Owners& m_owners;
   const Shape_price& m_price;
-  Interruption& m_interruption;
+  const Flips m_flips;
+  std::vector<std::uint32_t> m_samples; // of a flip
 };
 
 } // namespace internal
