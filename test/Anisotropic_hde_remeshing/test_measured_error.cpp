@@ -110,6 +110,27 @@ void test_samples()
   }
 }
 
+// long facets get no more samples than all others
+void test_samples_of_needles()
+{
+  std::vector<Vector> points;
+  std::vector<internal::Facet> facets;
+  const std::size_t n = 1000;
+  for (std::size_t i = 0; i <= n; ++i)
+  {
+    points.emplace_back(double(i) / n, 0, 0);
+    points.emplace_back(double(i) / n, 10, 0);
+  }
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    facets.push_back({2 * i, 2 * i + 2, 2 * i + 1});
+    facets.push_back({2 * i + 1, 2 * i + 2, 2 * i + 3});
+  }
+  const std::size_t number = 3000;
+  const internal::Reference_samples samples(points, facets, double(number));
+  CHECK(samples.size() <= points.size() + facets.size() + 2 * number);
+}
+
 // --- results ---
 
 // By default the distance leads where few faces are asked for: it is less than by the embedding, at once in the mean and at most.
@@ -298,6 +319,7 @@ int main()
 {
   test_closest_point();
   test_samples();
+  test_samples_of_needles();
   test_distance("bumpy sphere", bumpy_sphere(5), 1500, 1.5);
   test_distance("hills", hills(60), 800, 1.5);
   test_distance("block", l_block(16), 400, 5);

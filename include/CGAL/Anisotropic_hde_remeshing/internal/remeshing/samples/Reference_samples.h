@@ -55,7 +55,12 @@ public:
       return;
     m_area = area;
     m_largest_area = area / smallest_number;
-    m_largest_length = 2 * std::sqrt(m_largest_area) * 1.5;
+    m_largest_length = 3 * std::sqrt(m_largest_area);
+    // of needles there are only so many parts as of all others
+    double number_of_lengths = 0;
+    for (const Facet& facet : facets)
+      number_of_lengths += longest_side(points, facet) / m_largest_length;
+    m_largest_length *= (std::max)(1., number_of_lengths / smallest_number);
     std::vector<Vector> normals(points.size(), Vector::Zero());
     std::vector<double> areas(points.size(), 0.);
     std::vector<float> reaches(points.size(), 0.f);
@@ -92,6 +97,12 @@ private:
   static Vector normal(const std::vector<Vector>& points, const Facet& facet)
   {
     return (points[facet[1]] - points[facet[0]]).cross(points[facet[2]] - points[facet[0]]);
+  }
+
+  static double longest_side(const std::vector<Vector>& points, const Facet& facet)
+  {
+    return (std::max)({(points[facet[1]] - points[facet[0]]).norm(), (points[facet[2]] - points[facet[1]]).norm(),
+                       (points[facet[0]] - points[facet[2]]).norm()});
   }
 
   void cut(const std::array<Vector, 3>& corners, const Facet& facet, const Vector& normal, const double area, const int depth)
