@@ -95,7 +95,7 @@ public:
     Tools tools(*this, owners);
     if (keeps_error())
       owners.set_largest_distance(m_distance_of_samples);
-    measure(owners);
+    measure(owners, true);
     for (unsigned int round = 0; round < m_number_of_rounds && !m_interruption.ask(); ++round)
     {
       do_round(tools, 3 * round < 2 * m_number_of_rounds);
@@ -156,8 +156,8 @@ private:
     write_stage(m_mesh, "exchanged");
     flip_edges(tools);
     write_stage(m_mesh, "flipped");
-    fit_vertices(tools);
-    fit_vertices(tools);
+    fit_vertices(tools, false);
+    fit_vertices(tools, true);
     write_stage(m_mesh, "fitted");
   }
 
@@ -208,12 +208,13 @@ private:
     m_statistics.number_of_flips += tools.flip();
   }
 
-  void fit_vertices(Tools& tools)
+  // to search for far samples once a round is enough
+  void fit_vertices(Tools& tools, const bool searches_for_far_samples)
   {
     const Duration duration(m_statistics.smoothing_seconds);
     tools.fit();
     set_vertex_normals<ConcurrencyTag>(m_mesh);
-    measure(tools.owners);
+    measure(tools.owners, searches_for_far_samples);
   }
 
   // Splits the faces that do not keep the error, until all do.
@@ -240,15 +241,15 @@ private:
       if (round < refinements_with_fit)
       {
         flip_edges(tools);
-        fit_vertices(tools);
+        fit_vertices(tools, true);
       }
     }
     m_error_bound = (std::numeric_limits<double>::infinity)();
   }
 
-  void measure(Owners& owners)
+  void measure(Owners& owners, const bool searches_for_far_samples)
   {
-    owners.update();
+    owners.update(searches_for_far_samples);
     m_price.set_mean_cost(2 * owners.mean_square() / double(m_mesh.number_of_faces())); // both ways
   }
 

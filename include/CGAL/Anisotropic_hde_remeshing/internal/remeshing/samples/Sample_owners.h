@@ -67,11 +67,13 @@ public:
                                  });
   }
 
-  // Finds the nearest face of each sample by walking from its owner, and measures all faces.
-  void update()
+  // Finds the nearest face of each sample by walking from its owner, and measures all faces. A walk may miss the nearest face:
+  // samples that are far from theirs are also searched for, if it is asked for.
+  void update(const bool searches_for_far_samples = true)
   {
     parallel_for<ConcurrencyTag>(m_samples.size(), [&](const std::size_t i) { walk(i); });
-    search_for_far_samples();
+    if (searches_for_far_samples)
+      search_for_far_samples();
     m_first.assign(face_capacity(m_mesh), none);
     for (std::size_t i = m_samples.size(); i-- > 0;)
       link(std::uint32_t(i), Face_index(m_owners[i]));
