@@ -111,6 +111,23 @@ void test_same_error()
   CHECK(digest(relative) == digest(absolute));
 }
 
+// far from the origin the mesh is the same but for rounding
+void test_far_from_origin()
+{
+  const Mesh input = bumpy_sphere(4);
+  for (const double distance : {1e3, 1e6})
+  {
+    Mesh near = input, far = input;
+    for (const Mesh::Vertex_index v : far.vertices())
+      far.point(v) = far.point(v) + distance * Vector_3(1, -2, 0.5);
+    CGAL::anisotropic_hde_remeshing<Tag>(near, params::relative_approximation_error(3e-3));
+    CGAL::anisotropic_hde_remeshing<Tag>(far, params::relative_approximation_error(3e-3));
+    std::cout << "faces at the origin " << near.number_of_faces() << ", " << distance << " from it " << far.number_of_faces()
+              << std::endl;
+    CHECK(std::abs(double(far.number_of_faces()) - double(near.number_of_faces())) < 0.1 * double(near.number_of_faces()));
+  }
+}
+
 // a number of faces that does not suffice is kept, and the bound is told
 void test_number_of_faces()
 {
@@ -173,6 +190,7 @@ int main()
   test_error("half sphere", half_sphere(24), params::default_values()); // its boundary is a circle
   test_error("block with creases", l_block(12), params::sharp_angle(30));
   test_same_error();
+  test_far_from_origin();
   test_number_of_faces();
   test_schemes();
   test_stopping();

@@ -262,6 +262,13 @@ double squared_length(const Edge_index e, const Mesh& mesh, const Embedding& emb
   return (std::max)(length, embedding.squared_length(mesh.state(u, g), mesh.state(v, g)));
 }
 
+// a point of the mesh, as an origin near all others
+template <typename Mesh>
+Vector first_point(const Mesh& mesh)
+{
+  return mesh.number_of_vertices() > 0 ? mesh.point(*mesh.vertices().begin()).point : Vector(Vector::Zero());
+}
+
 // as `triangle_normal()`
 inline Vector face_normal(const Vertex_state& a, const Vertex_state& b, const Vertex_state& c)
 {

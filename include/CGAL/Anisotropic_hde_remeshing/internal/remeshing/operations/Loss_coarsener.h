@@ -101,6 +101,7 @@ private:
   void init()
   {
     m_quadrics.assign(vertex_capacity(m_mesh), Quadric());
+    m_origin = first_point(m_mesh);
     m_normals.assign(vertex_capacity(m_mesh), Vector::Zero());
     m_areas.assign(vertex_capacity(m_mesh), 0.);
     m_versions.assign(edge_capacity(m_mesh), 0);
@@ -141,8 +142,8 @@ private:
         const double third = n.norm() / 3;
         if (third > 0)
         {
-          m_quadrics[v] += Quadric::of_plane(p, n / (3 * third), third);
-          m_quadrics[v] += Quadric::of_point(p, weight_of_points * third);
+          m_quadrics[v] += Quadric::of_plane(p - m_origin, n / (3 * third), third);
+          m_quadrics[v] += Quadric::of_point(p - m_origin, weight_of_points * third);
         }
         m_normals[v] += n / 3;
         m_areas[v] += third;
@@ -150,7 +151,7 @@ private:
       if (m_mesh.is_on_curve(m_mesh.edge(h)))
         add_curve(h, v);
     }
-    m_quadrics[v] += Quadric::of_point(p, 1e-14);
+    m_quadrics[v] += Quadric::of_point(p - m_origin, 1e-14);
   }
 
   // the planes through an edge of a curve that are perpendicular to its faces
@@ -164,7 +165,7 @@ private:
         continue;
       const Vector across = face_normal(side, m_mesh).cross(edge);
       if (across.norm() > 0)
-        m_quadrics[v] += Quadric::of_plane(p, across.normalized(), weight_of_curves * edge.squaredNorm() / 2);
+        m_quadrics[v] += Quadric::of_plane(p - m_origin, across.normalized(), weight_of_curves * edge.squaredNorm() / 2);
     }
   }
 
@@ -177,7 +178,7 @@ private:
       return (std::numeric_limits<double>::infinity)();
     Quadric sum = m_quadrics[m_mesh.source(h)];
     sum += m_quadrics[m_mesh.target(h)];
-    return sum(point);
+    return sum(point - m_origin);
   }
 
   // the halfedge to contract, and where its target goes
@@ -190,7 +191,7 @@ private:
     const Vertex &a = m_mesh.point(m_mesh.source(h)), &b = m_mesh.point(m_mesh.target(h));
     if (!is_bound(a) && !is_bound(b))
     {
-      point = sum.minimum();
+      point = m_origin + sum.minimum();
       const double squared_length = (a.point - b.point).squaredNorm();
       if (!((point - a.point).squaredNorm() < 4 * squared_length))
         point = (a.point + b.point) / 2;
@@ -200,7 +201,7 @@ private:
                to_a = (is_bound(a) || !is_bound(b)) && m_contraction.is_removable(g);
     if (!to_a && !to_b)
       return false;
-    if (!to_b || (to_a && sum(a.point) < sum(b.point)))
+    if (!to_b || (to_a && sum(a.point - m_origin) < sum(b.point - m_origin)))
       h = g;
     point = m_mesh.point(m_mesh.target(h)).point;
     return true;
@@ -285,6 +286,7 @@ private:
   const Guard& m_guard;
   Interruption& m_interruption;
   std::vector<Quadric> m_quadrics;
+  Vector m_origin;               // of the quadrics: far from it they would be inexact
   std::vector<Vector> m_normals; // of the area that a vertex stands for
   std::vector<double> m_areas;
   std::vector<std::uint32_t> m_versions; // of edges

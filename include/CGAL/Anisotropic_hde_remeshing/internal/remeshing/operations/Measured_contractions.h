@@ -56,7 +56,7 @@ class Measured_contractions
 
 public:
   Measured_contractions(const Mesh& mesh, const Owners& owners, const Shape_price& price)
-    : m_mesh(mesh), m_owners(owners), m_price(price)
+    : m_mesh(mesh), m_owners(owners), m_price(price), m_origin(first_point(mesh))
   {
     m_quadrics.resize(vertex_capacity(m_mesh));
     parallel_for<ConcurrencyTag>(m_quadrics.size(),
@@ -127,10 +127,10 @@ private:
                           {
                             const Reference_sample& s = m_owners.sample(i);
                             const double weight = s.area / 3.;
-                            result += Quadric::of_plane(s.point, s.normal.template cast<double>(), weight);
-                            result += Quadric::of_point(s.point, 1e-4 * weight);
+                            result += Quadric::of_plane(s.point - m_origin, s.normal.template cast<double>(), weight);
+                            result += Quadric::of_point(s.point - m_origin, 1e-4 * weight);
                           });
-    result += Quadric::of_point(m_mesh.point(v).point, 1e-14);
+    result += Quadric::of_point(m_mesh.point(v).point - m_origin, 1e-14);
     return result;
   }
 
@@ -159,7 +159,7 @@ private:
     };
     if (!is_bound(a) && !is_bound(b))
     {
-      const Vector optimum = quadric(e).minimum();
+      const Vector optimum = m_origin + quadric(e).minimum();
       if ((optimum - p).squaredNorm() < 4 * (p - q).squaredNorm())
         look_at(h, optimum);
       look_at(h, (p + q) / 2);
@@ -174,6 +174,7 @@ private:
   const Mesh& m_mesh;
   const Owners& m_owners;
   const Shape_price& m_price;
+  const Vector m_origin;           // of the quadrics: far from it they would be inexact
   std::vector<Quadric> m_quadrics; // by vertex
 };
 
