@@ -51,42 +51,19 @@ public:
   // what contracting h to its target changes
   Change change(const Halfedge_index h) const
   {
-    Change change(m_mesh);
-    const Vertex_index kept = m_mesh.target(h);
-    for (const Halfedge_index in : m_mesh.halfedges_around_target(m_mesh.opposite(h)))
-    {
-      if (m_mesh.is_border(in))
-        continue;
-      const Face_index f = m_mesh.face(in);
-      change.remove(f);
-      const Triangle t(in, m_mesh);
-      if (t.a != kept && t.c != kept)
-        change.add(change.corner(t.a, in), change.corner(kept, in), change.corner(t.c, in), f);
-    }
-    return change;
+    Change result(m_mesh);
+    add_change(h, result);
+    return result;
   }
 
   // What contracting h to a new state changes. A target that is on a curve or fixed stays as it is.
   Change change(const Halfedge_index h, const Vertex& moved) const
   {
-    if (moved.is_on_curve || moved.is_fixed)
-      return change(h);
     Change result(m_mesh);
-    const Vertex_index removed = m_mesh.source(h), kept = m_mesh.target(h);
-    for (const Halfedge_index end : {m_mesh.opposite(h), h})
-      for (const Halfedge_index in : m_mesh.halfedges_around_target(end))
-      {
-        if (m_mesh.is_border(in))
-          continue;
-        const Face_index f = m_mesh.face(in);
-        const Triangle t(in, m_mesh);
-        const bool has_both = t.a == removed || t.c == removed || t.a == kept || t.c == kept;
-        if (has_both && end == h)
-          continue; // seen from the other end
-        result.remove(f);
-        if (!has_both)
-          result.add(result.corner(t.a, in), typename Change::Corner{kept, &moved}, result.corner(t.c, in), f);
-      }
+    if (moved.is_on_curve || moved.is_fixed)
+      add_change(h, result);
+    else
+      add_change(h, moved, result);
     return result;
   }
 
@@ -104,6 +81,40 @@ public:
   }
 
 private:
+  void add_change(const Halfedge_index h, Change& result) const
+  {
+    const Vertex_index kept = m_mesh.target(h);
+    for (const Halfedge_index in : m_mesh.halfedges_around_target(m_mesh.opposite(h)))
+    {
+      if (m_mesh.is_border(in))
+        continue;
+      const Face_index f = m_mesh.face(in);
+      result.remove(f);
+      const Triangle t(in, m_mesh);
+      if (t.a != kept && t.c != kept)
+        result.add(result.corner(t.a, in), result.corner(kept, in), result.corner(t.c, in), f);
+    }
+  }
+
+  void add_change(const Halfedge_index h, const Vertex& moved, Change& result) const
+  {
+    const Vertex_index removed = m_mesh.source(h), kept = m_mesh.target(h);
+    for (const Halfedge_index end : {m_mesh.opposite(h), h})
+      for (const Halfedge_index in : m_mesh.halfedges_around_target(end))
+      {
+        if (m_mesh.is_border(in))
+          continue;
+        const Face_index f = m_mesh.face(in);
+        const Triangle t(in, m_mesh);
+        const bool has_both = t.a == removed || t.c == removed || t.a == kept || t.c == kept;
+        if (has_both && end == h)
+          continue; // seen from the other end
+        result.remove(f);
+        if (!has_both)
+          result.add(result.corner(t.a, in), typename Change::Corner{kept, &moved}, result.corner(t.c, in), f);
+      }
+  }
+
   // a local guard does not look at the change
   Vertex_index contract(const Halfedge_index h, const Vertex kept, const Change& change) const
   {
