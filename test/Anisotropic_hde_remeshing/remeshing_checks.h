@@ -149,6 +149,31 @@ void check_same_topology(const TriangleMesh& before, const TriangleMesh& after)
   CHECK(shape.number_of_folded_edges <= Hde::measure_shape(before).number_of_folded_edges);
 }
 
+// Stops the remeshing after more and more questions. Whenever it stops, the mesh has the topology of the input;
+// `check(result, mesh)` checks more.
+template <typename TriangleMesh, typename Remesh, typename Check>
+void check_stopping(const TriangleMesh& input, const std::size_t largest, const std::size_t step, const Remesh& remesh,
+                    const Check& check)
+{
+  struct Stopping_visitor : Hde::Remeshing_visitor
+  {
+    std::size_t questions = 0, last = 0;
+    bool go_further() { return ++questions < last; }
+  };
+  std::size_t number_of_results = 0;
+  for (std::size_t last = 1; last < largest; last += step)
+  {
+    Stopping_visitor visitor;
+    visitor.last = last;
+    TriangleMesh mesh = input;
+    const Hde::Remeshing_result result = remesh(mesh, visitor);
+    check_same_topology(input, mesh);
+    number_of_results += result.was_stopped ? 1 : 0;
+    check(result, mesh);
+  }
+  CHECK(number_of_results > 2);
+}
+
 } // namespace remeshing_checks
 
 #endif // CGAL_ANISOTROPIC_HDE_REMESHING_TEST_REMESHING_CHECKS_H

@@ -271,26 +271,16 @@ void test_creases()
 
 void test_stopping()
 {
-  struct Stopping_visitor : Hde::Remeshing_visitor
-  {
-    std::size_t questions = 0, last = 0;
-    bool go_further() { return ++questions < last; }
-  };
   const Mesh input = bumpy_sphere(3);
-  std::size_t number_of_results = 0;
-  for (std::size_t last = 1; last < 40; last += 3)
-  {
-    Stopping_visitor visitor;
-    visitor.last = last;
-    Mesh mesh = input;
-    const Hde::Remeshing_result result =
-        CGAL::anisotropic_hde_remeshing<Tag>(mesh, params::number_of_target_faces(300).visitor(std::ref(visitor)));
-    check_same_topology(input, mesh);
-    number_of_results += result.was_stopped ? 1 : 0;
-    if (result.was_stopped && result.number_of_iterations == 0)
-      CHECK(digest(mesh) == digest(input));
-  }
-  CHECK(number_of_results > 2);
+  check_stopping(
+      input, 40, 3,
+      [](Mesh& mesh, auto& visitor)
+      { return CGAL::anisotropic_hde_remeshing<Tag>(mesh, params::number_of_target_faces(300).visitor(std::ref(visitor))); },
+      [&](const Hde::Remeshing_result& result, const Mesh& mesh)
+      {
+        if (result.was_stopped && result.number_of_iterations == 0)
+          CHECK(digest(mesh) == digest(input));
+      });
 }
 
 // two sheets, nearer to each other than the faces are long

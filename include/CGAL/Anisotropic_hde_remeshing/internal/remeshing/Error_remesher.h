@@ -104,7 +104,11 @@ public:
     }
     flip_edges(tools);
     if (keeps_error())
+    {
       refine(tools);
+      m_statistics.number_of_collapses += tools.refine.number_of_collapses();
+      m_statistics.number_of_splits += tools.refine.number_of_splits();
+    }
     write_stage(m_mesh, "finished");
   }
 
@@ -217,7 +221,7 @@ private:
     measure(tools.owners, searches_for_far_samples);
   }
 
-  // Splits the faces that do not keep the error, until all do.
+  // Brings the faces that do not keep the error nearer to the input, until all do or nothing helps.
   void refine(Tools& tools)
   {
     Two_sided_check<ConcurrencyTag, Mesh> check(m_mesh, m_input, m_interruption);
@@ -234,9 +238,7 @@ private:
       }
       if (failing.empty() || round == last_progress + refinements_without_progress)
         return;
-      const std::size_t number = tools.refine(failing, round);
-      m_statistics.number_of_splits += number;
-      if (number == 0)
+      if (tools.refine(failing, round) == 0)
         return;
       if (round < refinements_with_fit)
       {

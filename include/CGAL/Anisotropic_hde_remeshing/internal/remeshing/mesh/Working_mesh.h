@@ -262,6 +262,19 @@ double squared_length(const Edge_index e, const Mesh& mesh, const Embedding& emb
   return (std::max)(length, embedding.squared_length(mesh.state(u, g), mesh.state(v, g)));
 }
 
+// of an edge in space
+template <typename Mesh>
+double squared_length(const Halfedge_index h, const Mesh& mesh)
+{
+  return (mesh.point(mesh.source(h)).point - mesh.point(mesh.target(h)).point).squaredNorm();
+}
+
+template <typename Mesh>
+Vector middle(const Halfedge_index h, const Mesh& mesh)
+{
+  return (mesh.point(mesh.source(h)).point + mesh.point(mesh.target(h)).point) / 2;
+}
+
 // a point of the mesh, as an origin near all others
 template <typename Mesh>
 Vector first_point(const Mesh& mesh)

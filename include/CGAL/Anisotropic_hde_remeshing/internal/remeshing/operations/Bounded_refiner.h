@@ -39,13 +39,12 @@ template <typename ConcurrencyTag, typename Mesh, typename Guard>
 class Bounded_refiner
 {
   typedef Sample_owners<ConcurrencyTag, Mesh> Owners;
-  static constexpr double smallest_share_of_corner = 0.6; // of the barycentric coordinates, so that it is pulled
-
-  static constexpr double smallest_ratio_of_edges = 0.5; // of an edge that is split to the longest of its faces
-  static constexpr int last_round_to_contract = 8;
-
   typedef Measured_contractions<ConcurrencyTag, Mesh> Contractions;
   typedef typename Two_sided_check<ConcurrencyTag, Mesh>::Failing_face Failing_face;
+
+  static constexpr double smallest_share_of_corner = 0.6; // of the barycentric coordinates, so that it is pulled
+  static constexpr double smallest_ratio_of_edges = 0.5;  // of an edge that is split to the longest of its faces
+  static constexpr int last_round_to_contract = 8;
 
 public:
   Bounded_refiner(const Mesh& mesh, const Input_surface& input, const Owners& owners, const Shape_price& price,
@@ -68,10 +67,20 @@ public:
       if (m_interruption.poll())
         break;
       if (!m_mesh.is_removed(f.face) && !m_operations.has_taken(f.face))
-        number += pull(f) || (round < last_round_to_contract && contract(f, measured)) || split(f) ? 1 : 0;
+      {
+        const bool is_pulled = pull(f), is_contracted = !is_pulled && round < last_round_to_contract && contract(f, measured),
+                   is_split = !is_pulled && !is_contracted && split(f);
+        m_number_of_collapses += is_contracted;
+        m_number_of_splits += is_split;
+        number += is_pulled || is_contracted || is_split;
+      }
     }
     return number;
   }
+
+  // in all rounds
+  std::size_t number_of_collapses() const { return m_number_of_collapses; }
+  std::size_t number_of_splits() const { return m_number_of_splits; }
 
 private:
   // moves the corner that is nearest to the place by the way from the face to the place, or a part of it
@@ -144,7 +153,7 @@ private:
       const Edge_index e = m_mesh.edge(h);
       if (m_mesh.is_border(e) || m_mesh.is_on_curve(e) || is_short(h))
         continue;
-      const Vector middle = middle_of(h), on_input = m_input.closest(middle).point;
+      const Vector middle = internal::middle(h, m_mesh), on_input = m_input.closest(middle).point;
       for (const Vector& point : {v == Mesh::null_vertex() ? failing.place : on_input, on_input, middle})
         if (m_operations.accepts_split(h, point))
         {
@@ -168,7 +177,7 @@ private:
   {
     std::vector<std::pair<double, Halfedge_index>> edges;
     for (const Halfedge_index h : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
-      edges.emplace_back(-squared_length(h), h);
+      edges.emplace_back(-squared_length(h, m_mesh), h);
     return sorted(std::move(edges));
   }
 
@@ -181,23 +190,13 @@ private:
     return result;
   }
 
-  Vector middle_of(const Halfedge_index h) const
-  {
-    return (m_mesh.point(m_mesh.source(h)).point + m_mesh.point(m_mesh.target(h)).point) / 2;
-  }
-
-  double squared_length(const Halfedge_index h) const
-  {
-    return (m_mesh.point(m_mesh.source(h)).point - m_mesh.point(m_mesh.target(h)).point).squaredNorm();
-  }
-
   // whether a split would make a needle
   bool is_short(const Halfedge_index h) const
   {
     const double limit = smallest_ratio_of_edges * smallest_ratio_of_edges;
     for (const Halfedge_index g : {h, m_mesh.opposite(h)})
       for (const Halfedge_index side : {m_mesh.next(g), m_mesh.prev(g)})
-        if (squared_length(h) < limit * squared_length(side))
+        if (squared_length(h, m_mesh) < limit * squared_length(side, m_mesh))
           return true;
     return false;
   }
@@ -208,6 +207,7 @@ private:
   const Shape_price& m_price;
   Sampled_operations<ConcurrencyTag, Mesh, Guard>& m_operations;
   Interruption& m_interruption;
+  std::size_t m_number_of_collapses = 0, m_number_of_splits = 0;
 };
 
 } // namespace internal

@@ -141,9 +141,9 @@ private:
       if (m_mesh.is_border(e) || m_mesh.is_on_curve(e))
         continue;
       const Halfedge_index h = m_mesh.halfedge(e), g = m_mesh.opposite(h);
-      const double length = squared_length(h);
-      const double longest = (std::max)({squared_length(m_mesh.next(h)), squared_length(m_mesh.prev(h)),
-                                         squared_length(m_mesh.next(g)), squared_length(m_mesh.prev(g))});
+      const double length = squared_length(h, m_mesh);
+      const double longest = (std::max)({squared_length(m_mesh.next(h), m_mesh), squared_length(m_mesh.prev(h), m_mesh),
+                                         squared_length(m_mesh.next(g), m_mesh), squared_length(m_mesh.prev(g), m_mesh)});
       if (longest > longest_neighbor * longest_neighbor * length)
         continue;
       result.push_back(Split{gain_of_split * (m_owners.cost(m_mesh.face(h)) + m_owners.cost(m_mesh.face(g))), e});
@@ -153,14 +153,9 @@ private:
     return result;
   }
 
-  double squared_length(const Halfedge_index h) const
-  {
-    return (m_mesh.point(m_mesh.source(h)).point - m_mesh.point(m_mesh.target(h)).point).squaredNorm();
-  }
-
   Vector middle_on_input(const Halfedge_index h) const
   {
-    const Vector middle = (m_mesh.point(m_mesh.source(h)).point + m_mesh.point(m_mesh.target(h)).point) / 2;
+    const Vector middle = internal::middle(h, m_mesh);
     return m_input.empty() ? middle : m_input.closest(middle).point;
   }
 
