@@ -52,6 +52,7 @@ template <typename ConcurrencyTag, typename Mesh, typename Guard>
 class Error_remesher
 {
   typedef Sample_owners<ConcurrencyTag, Mesh> Owners;
+  typedef typename Two_sided_check<ConcurrencyTag, Mesh>::Failing_face Failing_face;
 
   // How many samples there are at least: so many for a face of the result, but fewer if they are more than enough in all.
   static constexpr double samples_per_face = 30, least_samples_per_face = 8, enough_samples = 300000;
@@ -60,8 +61,8 @@ class Error_remesher
   static constexpr double share_of_coarsening = 0.3;       // of the progress that is told
   // Longest edge over altitude: up to the first a shape is free, above the second no operation makes it worse.
   static constexpr double free_ratio = 4, largest_ratio = 40;
-  static constexpr int refinements_without_progress = 8, refinements_with_fit = 2;
-  static constexpr double share_in_the_mean = 0.55; // of the distance that samples may have
+  static constexpr int refinements_without_progress = 8;
+  static constexpr double share_in_the_mean = 0.7; // of the distance that samples may have
   static constexpr double price_of_shape = 2, price_of_shape_for_least_distance = 0.1;
 
 public:
@@ -98,7 +99,7 @@ public:
     measure(owners, true);
     for (unsigned int round = 0; round < m_number_of_rounds && !m_interruption.ask(); ++round)
     {
-      do_round(tools, 3 * round < 2 * m_number_of_rounds);
+      do_round(tools, round < number_of_rounds_that_change_vertices());
       m_number_of_rounds_done = round + 1;
       report_progress(double(round + 1) / m_number_of_rounds);
     }
@@ -111,6 +112,9 @@ public:
     }
     write_stage(m_mesh, "finished");
   }
+
+  // the faces that do not keep the error in the end
+  const std::vector<Failing_face>& failing() const { return m_failing; }
 
   // the bound on the distances between the mesh and the input if an error was asked for; otherwise 0
   double error_bound() const { return m_error_bound; }
@@ -127,6 +131,12 @@ private:
   }
 
   bool keeps_error() const { return m_parameters.error > 0; }
+
+  // The last rounds only fit; where an error is to be kept, few faces are worth more.
+  unsigned int number_of_rounds_that_change_vertices() const
+  {
+    return keeps_error() ? m_number_of_rounds - 1 : (2 * m_number_of_rounds + 2) / 3;
+  }
 
   // what the rounds work with
   struct Tools
@@ -229,22 +239,15 @@ private:
     int last_progress = 0;
     for (int round = 0; !m_interruption.ask(); ++round)
     {
-      const auto failing = check(m_parameters.error);
+      m_failing = check(m_parameters.error);
       m_error_bound = check.bound();
-      if (failing.size() < least)
+      if (m_failing.size() < least)
       {
-        least = failing.size();
+        least = m_failing.size();
         last_progress = round;
       }
-      if (failing.empty() || round == last_progress + refinements_without_progress)
+      if (m_failing.empty() || round == last_progress + refinements_without_progress || tools.refine(m_failing, round) == 0)
         return;
-      if (tools.refine(failing, round) == 0)
-        return;
-      if (round < refinements_with_fit)
-      {
-        flip_edges(tools);
-        fit_vertices(tools, true);
-      }
     }
     m_error_bound = (std::numeric_limits<double>::infinity)();
   }
@@ -272,6 +275,7 @@ private:
   Shape_price m_price;
   Operation_statistics m_statistics;
   unsigned int m_number_of_rounds_done = 0;
+  std::vector<Failing_face> m_failing;
   double m_error_bound = keeps_error() ? (std::numeric_limits<double>::infinity)() : 0; // until it is measured
 };
 

@@ -13,6 +13,7 @@
 
 #include <CGAL/Anisotropic_hde_remeshing/Normal_embedding.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Interruption.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parallel/parallel.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Error_remesher.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Remeshing_report.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Visitor_reference.h>
@@ -32,13 +33,15 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
+// Returns the faces that do not keep the error, if one was asked for.
 template <typename ConcurrencyTag, typename Mesh, typename Guard>
-void remesh_once(Mesh& mesh, const Curve_network& curves, const Guard& guard, const Input_surface& input,
+auto remesh_once(Mesh& mesh, const Curve_network& curves, const Guard& guard, const Input_surface& input,
                  const Remeshing_parameters& parameters, const Visitor_reference visitor, const double share_of_error,
                  Remeshing_report& report)
 {
@@ -47,26 +50,49 @@ void remesh_once(Mesh& mesh, const Curve_network& curves, const Guard& guard, co
   report.number_of_iterations = remesher.number_of_rounds();
   report.operations = remesher.statistics();
   report.error = remesher.error_bound();
+  return remesher.failing();
 }
 
-// Where some faces cannot be brought near enough to the input, it begins again with a smaller distance of the samples. If that does
-// not help either, the input stays as it is: it keeps every error. Where that takes more faces than allowed, their number leads.
+// Marks the vertices of the input near faces that do not keep the error.
+template <typename ConcurrencyTag, typename FailingFaces>
+void mark_vertices_near(const FailingFaces& failing, const double distance, const Input_surface& input,
+                        std::vector<char>& marks)
+{
+  for (const auto& f : failing)
+    for (const std::size_t v : input.facets()[input.closest(f.place).facet])
+      marks[v] = 1;
+  parallel_for<ConcurrencyTag>(marks.size(),
+                               [&](const std::size_t v)
+                               {
+                                 for (const auto& f : failing)
+                                   if (f.triangle.closest(input.points()[v]).squared_distance <= distance * distance)
+                                     marks[v] = 1;
+                               });
+}
+
+// Where some faces cannot be brought near enough to the input, it begins again, and keeps the input there as it is. If that does
+// not help either, all of the input stays: it keeps every error. Where that takes more faces than allowed, their number leads.
 template <typename ConcurrencyTag, typename Mesh, typename Guard>
 void keep_error(Mesh& mesh, const Curve_network& curves, const Guard& guard, const Input_surface& input,
                 const Remeshing_parameters& parameters, const Visitor_reference visitor, Remeshing_report& report)
 {
+  static constexpr double reach_of_faces = 2; // over the error: so near to a face the input is kept
   Mesh original;
   original = mesh;
-  for (const double share_of_error : {0.9, 0.7, 0.5})
+  std::vector<char> is_kept(vertex_capacity(mesh), 0);
+  for (const double share_of_error : {0.92, 0.92, 0.8, 0.6})
   {
-    if (share_of_error < 0.9)
-    {
-      mesh = original;
-      guard.template update_all<ConcurrencyTag>(visitor.interruption());
-    }
-    remesh_once<ConcurrencyTag>(mesh, curves, guard, input, parameters, visitor, share_of_error, report);
+    const auto failing = remesh_once<ConcurrencyTag>(mesh, curves, guard, input, parameters, visitor, share_of_error, report);
+    for (const Vertex_index v : mesh.vertices())
+      if (mesh.point(v).input_vertex != Vertex_state::no_vertex)
+        mesh.point(v).is_fixed = original.point(Vertex_index(mesh.point(v).input_vertex)).is_fixed;
     if (report.error <= parameters.error || visitor.interruption().is_requested())
       break;
+    mark_vertices_near<ConcurrencyTag>(failing, reach_of_faces * parameters.error, input, is_kept);
+    mesh = original;
+    for (const Vertex_index v : mesh.vertices())
+      mesh.point(v).is_fixed = mesh.point(v).is_fixed || is_kept[v];
+    guard.template update_all<ConcurrencyTag>(visitor.interruption());
   }
   if (visitor.interruption().is_requested())
     return;

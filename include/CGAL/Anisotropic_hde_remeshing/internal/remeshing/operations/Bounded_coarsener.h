@@ -46,7 +46,7 @@ public:
   // Contractions that are independent of each other. Returns how many.
   std::size_t operator()(const double largest_distance)
   {
-    const Measured_contractions<ConcurrencyTag, Mesh> measured(m_mesh, m_owners, m_price);
+    Measured_contractions<ConcurrencyTag, Mesh> measured(m_mesh, m_owners, m_price);
     const std::vector<Edge_index> edges = measured.candidates((std::numeric_limits<std::size_t>::max)());
     std::vector<Measured_contraction> contractions;
     for (std::size_t first = 0; first < edges.size() && !m_interruption.is_requested(); first += size_of_batch)

@@ -105,7 +105,7 @@ private:
     std::vector<Measured_contraction> result;
     if (splits.empty())
       return result;
-    const Measured_contractions<ConcurrencyTag, Mesh> measured(m_mesh, m_owners, m_price);
+    Measured_contractions<ConcurrencyTag, Mesh> measured(m_mesh, m_owners, m_price);
     const std::vector<Edge_index> edges = measured.candidates(std::size_t(share_measured * double(largest_number)));
     double limit = splits.front().gain / smallest_profit;
     for (std::size_t first = 0; first < edges.size() && !m_interruption.is_requested(); first += size_of_batch)

@@ -58,14 +58,6 @@ public:
   Measured_contractions(const Mesh& mesh, const Owners& owners, const Shape_price& price)
     : m_mesh(mesh), m_owners(owners), m_price(price), m_origin(first_point(mesh))
   {
-    m_quadrics.resize(vertex_capacity(m_mesh));
-    parallel_for<ConcurrencyTag>(m_quadrics.size(),
-                                 [&](const std::size_t i)
-                                 {
-                                   const Vertex_index v{std::uint32_t(i)};
-                                   if (!m_mesh.is_removed(v))
-                                     m_quadrics[i] = quadric(v);
-                                 });
   }
 
   // whether an edge may be contracted
@@ -77,8 +69,16 @@ public:
   }
 
   // edges that may be contracted, the cheapest by the quadrics first, at most `largest_number`
-  std::vector<Edge_index> candidates(const std::size_t largest_number) const
+  std::vector<Edge_index> candidates(const std::size_t largest_number)
   {
+    m_quadrics.resize(vertex_capacity(m_mesh));
+    parallel_for<ConcurrencyTag>(m_quadrics.size(),
+                                 [&](const std::size_t i)
+                                 {
+                                   const Vertex_index v{std::uint32_t(i)};
+                                   if (!m_mesh.is_removed(v))
+                                     m_quadrics[i] = quadric(v);
+                                 });
     std::vector<std::pair<double, Edge_index>> keys(edge_capacity(m_mesh), {infinity(), Edge_index()});
     parallel_for<ConcurrencyTag>(keys.size(),
                                  [&](const std::size_t i)
@@ -136,8 +136,9 @@ private:
 
   Quadric quadric(const Edge_index e) const
   {
-    Quadric sum = m_quadrics[m_mesh.vertex(e, 0)];
-    return sum += m_quadrics[m_mesh.vertex(e, 1)];
+    const Vertex_index a = m_mesh.vertex(e, 0), b = m_mesh.vertex(e, 1);
+    Quadric sum = m_quadrics.empty() ? quadric(a) : m_quadrics[a];
+    return sum += m_quadrics.empty() ? quadric(b) : m_quadrics[b];
   }
 
   // the contraction of an edge to the best of the quadric's optimum, its middle and its ends
@@ -175,7 +176,7 @@ private:
   const Owners& m_owners;
   const Shape_price& m_price;
   const Vector m_origin;           // of the quadrics: far from it they would be inexact
-  std::vector<Quadric> m_quadrics; // by vertex
+  std::vector<Quadric> m_quadrics; // by vertex, if all edges have been looked at
 };
 
 } // namespace internal

@@ -149,47 +149,26 @@ public:
     return length > s.reach ? Vector(s.point + (s.reach / length) * aside) : Vector(s.point + aside);
   }
 
+  // the samples that are nearest to the nodes of a face
+  typedef std::array<std::uint32_t, number_of_nodes> Nearest_samples;
+
   // What the way from a triangle to the reference costs; infinite if a node is further than a distance. `visit_samples(visit)`
   // visits the samples that come into question.
   template <typename VisitSamples>
-  double cost_of_way_back(const Space_triangle& t, const VisitSamples& visit_samples,
-                          std::array<std::uint32_t, number_of_nodes>& nearest,
+  double cost_of_way_back(const Space_triangle& t, const VisitSamples& visit_samples, Nearest_samples& nearest,
                           const double largest_squared_distance = (std::numeric_limits<double>::infinity)()) const
   {
-    const Vector normal = t.normal();
-    std::array<Vector, number_of_nodes> points;
-    std::array<double, number_of_nodes> least;
-    for (std::size_t k = 0; k < number_of_nodes; ++k)
-    {
-      points[k] = t.point(node(k).barycentric);
-      least[k] = (std::numeric_limits<double>::infinity)();
-      nearest[k] = none;
-    }
-    visit_samples(
-        [&](const std::uint32_t i)
-        {
-          const Reference_sample& s = m_samples[i];
-          const double factor = normal.dot(s.normal.template cast<double>()) < 0 ? other_side : 1.;
-          for (std::size_t k = 0; k < number_of_nodes; ++k)
-          {
-            const double squared_distance = factor * (s.point - points[k]).squaredNorm();
-            if (squared_distance < least[k])
-            {
-              least[k] = squared_distance;
-              nearest[k] = i;
-            }
-          }
-        });
+    find_nearest(t, visit_samples, nearest);
     double sum = 0;
     for (std::size_t k = 0; k < number_of_nodes; ++k)
       if (nearest[k] != none)
       {
-        const double squared_distance = (reference_point(points[k], nearest[k]) - points[k]).squaredNorm();
+        const double squared_distance = squared_distance_of_node(t, k, nearest[k]);
         if (squared_distance > largest_squared_distance)
           return (std::numeric_limits<double>::infinity)();
         sum += node(k).weight * cost(squared_distance);
       }
-    return m_samples.area_of_surface() > 0 ? sum * normal.norm() / (2 * m_samples.area_of_surface()) : 0.;
+    return m_samples.area_of_surface() > 0 ? sum * t.normal().norm() / (2 * m_samples.area_of_surface()) : 0.;
   }
 
   Space_triangle triangle(const Face_index f) const
@@ -270,6 +249,41 @@ public:
   }
 
 private:
+  template <typename VisitSamples>
+  void find_nearest(const Space_triangle& t, const VisitSamples& visit_samples, Nearest_samples& nearest) const
+  {
+    const Vector normal = t.normal();
+    std::array<Vector, number_of_nodes> points;
+    std::array<double, number_of_nodes> least;
+    for (std::size_t k = 0; k < number_of_nodes; ++k)
+    {
+      points[k] = t.point(node(k).barycentric);
+      least[k] = (std::numeric_limits<double>::infinity)();
+      nearest[k] = none;
+    }
+    visit_samples(
+        [&](const std::uint32_t i)
+        {
+          const Reference_sample& s = m_samples[i];
+          const double factor = normal.dot(s.normal.template cast<double>()) < 0 ? other_side : 1.;
+          for (std::size_t k = 0; k < number_of_nodes; ++k)
+          {
+            const double squared_distance = factor * (s.point - points[k]).squaredNorm();
+            if (squared_distance < least[k])
+            {
+              least[k] = squared_distance;
+              nearest[k] = i;
+            }
+          }
+        });
+  }
+
+  double squared_distance_of_node(const Space_triangle& t, const std::size_t k, const std::uint32_t nearest) const
+  {
+    const Vector q = t.point(node(k).barycentric);
+    return (reference_point(q, nearest) - q).squaredNorm();
+  }
+
   // of the distances of the samples, weighted by their areas
   double sum_of_squares() const
   {
@@ -423,7 +437,7 @@ private:
   std::vector<std::uint32_t> m_first;          // by face
   std::vector<double> m_costs;
   std::vector<Vector> m_normals;
-  std::vector<std::array<std::uint32_t, number_of_nodes>> m_nearest; // to the nodes of a face
+  std::vector<Nearest_samples> m_nearest; // to the nodes of a face
   double m_mean_square = 0;
   double m_largest_square = (std::numeric_limits<double>::infinity)();
 };

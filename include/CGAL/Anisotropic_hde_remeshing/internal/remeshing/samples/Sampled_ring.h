@@ -79,30 +79,54 @@ public:
       if (!(cost < limit))
         return infinity();
       const Reference_sample& s = m_owners.sample(i);
-      double least = infinity();
-      for (const auto& c : m_corners)
-        least = (std::min)(least, closest_on_triangle(s.point, point, c[1], c[2]).squared_distance);
+      const double least = squared_distance_at(point, s.point);
       if (least > largest_squared_distance)
         return infinity();
       cost += m_weight * s.area * m_owners.cost(least);
     }
-    std::array<std::uint32_t, Owners::number_of_nodes> nearest;
-    const auto visit_samples = [&](const auto& visit)
-    {
-      for (const std::uint32_t i : m_samples)
-        visit(i);
-    };
+    typename Owners::Nearest_samples nearest;
     for (const auto& c : m_corners)
     {
       if (!(cost < limit))
         return infinity();
-      cost += m_owners.cost_of_way_back(Space_triangle{point, c[1], c[2]}, visit_samples, nearest, largest_squared_distance);
+      cost += m_owners.cost_of_way_back(Space_triangle{point, c[1], c[2]}, visit_samples(), nearest, largest_squared_distance);
     }
     return cost;
   }
 
+  // whether no face turns too far or becomes a needle with the vertex at a point
+  bool allows(const Vector& point) const { return price_at(point) < infinity(); }
+
+  const std::vector<std::uint32_t>& samples() const { return m_samples; }
+
+  // the faces with the vertex, the first corner, at a point
+  template <typename Visit>
+  void for_each_face(const Vector& point, const Visit& visit) const
+  {
+    for (const auto& c : m_corners)
+      visit(Space_triangle{point, c[1], c[2]});
+  }
+
+  // of a point from the faces with the vertex at another one
+  double squared_distance_at(const Vector& point, const Vector& p) const
+  {
+    double least = infinity();
+    for (const auto& c : m_corners)
+      least = (std::min)(least, closest_on_triangle(p, point, c[1], c[2]).squared_distance);
+    return least;
+  }
+
 private:
   static double infinity() { return (std::numeric_limits<double>::infinity)(); }
+
+  auto visit_samples() const
+  {
+    return [this](const auto& visit)
+    {
+      for (const std::uint32_t i : m_samples)
+        visit(i);
+    };
+  }
 
   // the faces around the target of h; those at `other` are gone in the end, and are added with `adds_faces_at_other` only
   void add_end(const Halfedge_index h, const Vertex_index other, const bool adds_faces_at_other)

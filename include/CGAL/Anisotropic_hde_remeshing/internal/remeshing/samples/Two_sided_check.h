@@ -43,6 +43,7 @@ public:
   struct Failing_face
   {
     Face_index face;
+    Space_triangle triangle;
     double distance;
     Vector point, place;
   };
@@ -68,7 +69,7 @@ public:
         from_mesh[i] = m_from_mesh[m_faces[i]];
     check(to_input, m_points, m_facets, limit, from_mesh,
           [&](const std::size_t i, const Distance_check::Place& place) {
-            return Failing_face{m_faces[i], place.distance, place.point, m_input.closest(place.point).point};
+            return Failing_face{m_faces[i], triangle(i), place.distance, place.point, m_input.closest(place.point).point};
           });
     m_from_mesh.assign(face_capacity(m_mesh), Record());
     for (std::size_t i = 0; i < m_facets.size(); ++i)
@@ -81,9 +82,9 @@ public:
     check(to_mesh, m_input.points(), m_input.facets(), limit, m_from_input,
           [&](std::size_t, const Distance_check::Place& place)
           {
-            const Facet& facet = m_facets[place.facet];
-            const Space_triangle t{m_points[facet[0]], m_points[facet[1]], m_points[facet[2]]};
-            return Failing_face{m_faces[place.facet], place.distance, t.point(t.closest(place.point).barycentric), place.point};
+            const Space_triangle t = triangle(place.facet);
+            return Failing_face{m_faces[place.facet], t, place.distance, t.point(t.closest(place.point).barycentric),
+                                place.point};
           });
     m_bound = 0;
     for (const Record& record : from_mesh)
@@ -127,6 +128,12 @@ private:
       m_corners[f] = corners;
     }
     m_from_mesh.resize(face_capacity(m_mesh));
+  }
+
+  Space_triangle triangle(const std::size_t i) const
+  {
+    const Facet& facet = m_facets[i];
+    return Space_triangle{m_points[facet[0]], m_points[facet[1]], m_points[facet[2]]};
   }
 
   // looks at the facets of which it is not known that they are within the limit
