@@ -61,7 +61,7 @@ class Error_remesher
   static constexpr double share_of_coarsening = 0.3;       // of the progress that is told
   // Longest edge over altitude: up to the first a shape is free, above the second no operation makes it worse.
   static constexpr double free_ratio = 4, largest_ratio = 40;
-  static constexpr int refinements_without_progress = 8;
+  static constexpr int refinements_without_progress = 6;
   static constexpr double share_in_the_mean = 0.7; // of the distance that samples may have
   static constexpr double price_of_shape = 2, price_of_shape_for_least_distance = 0.1;
 
@@ -231,7 +231,7 @@ private:
     measure(tools.owners, searches_for_far_samples);
   }
 
-  // Brings the faces that do not keep the error nearer to the input, until all do or nothing helps.
+  // Brings the faces that do not keep the error nearer to the input, until all do, or nothing helps, or the input has fewer faces.
   void refine(Tools& tools)
   {
     Two_sided_check<ConcurrencyTag, Mesh> check(m_mesh, m_input, m_interruption);
@@ -246,8 +246,10 @@ private:
         least = m_failing.size();
         last_progress = round;
       }
-      if (m_failing.empty() || round == last_progress + refinements_without_progress || tools.refine(m_failing, round) == 0)
+      if (m_failing.empty() || round == last_progress + refinements_without_progress ||
+          m_mesh.number_of_faces() > m_input.facets().size() || tools.refine(m_failing, round) == 0)
         return;
+      flip_edges(tools);
     }
     m_error_bound = (std::numeric_limits<double>::infinity)();
   }

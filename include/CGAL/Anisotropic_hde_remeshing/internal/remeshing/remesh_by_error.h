@@ -80,13 +80,14 @@ void keep_error(Mesh& mesh, const Curve_network& curves, const Guard& guard, con
   Mesh original;
   original = mesh;
   std::vector<char> is_kept(vertex_capacity(mesh), 0);
-  for (const double share_of_error : {0.92, 0.92, 0.8, 0.6})
+  for (const double share_of_error : {0.92, 0.92, 0.8, 0.6, 0.4, 0.4})
   {
     const auto failing = remesh_once<ConcurrencyTag>(mesh, curves, guard, input, parameters, visitor, share_of_error, report);
     for (const Vertex_index v : mesh.vertices())
       if (mesh.point(v).input_vertex != Vertex_state::no_vertex)
         mesh.point(v).is_fixed = original.point(Vertex_index(mesh.point(v).input_vertex)).is_fixed;
-    if (report.error <= parameters.error || visitor.interruption().is_requested())
+    if (report.error <= parameters.error || visitor.interruption().is_requested() ||
+        mesh.number_of_faces() > original.number_of_faces())
       break;
     mark_vertices_near<ConcurrencyTag>(failing, reach_of_faces * parameters.error, input, is_kept);
     mesh = original;

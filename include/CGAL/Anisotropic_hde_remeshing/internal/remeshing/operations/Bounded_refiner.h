@@ -45,9 +45,10 @@ class Bounded_refiner
 
   static constexpr double share_of_corner = 0.6, share_of_corner_to_split = 0.9; // of the barycentric coordinates
   static constexpr double smallest_ratio_of_edges = 0.5;      // of an edge that is split to the longest of its faces
+  static constexpr double smallest_part_of_edge = 0.2;        // that a split leaves
   static constexpr double smallest_part_of_way = 0.03;        // by which a corner is pulled
   static constexpr double smallest_progress = 0.99;           // a pull makes the largest distance at least so much smaller
-  static constexpr unsigned char largest_number_of_pulls = 4; // of a vertex, before it goes to the input
+  static constexpr unsigned char largest_number_of_pulls = 4; // of a vertex, before it goes to the place
   static constexpr int last_round_to_contract = 8;
 
 public:
@@ -95,11 +96,12 @@ private:
   {
     const Vertex_index v = near_corner(failing, share_of_corner);
     if (v == Mesh::null_vertex() || m_mesh.point(v).is_on_curve || m_mesh.point(v).is_fixed ||
-        m_number_of_pulls[v] > largest_number_of_pulls)
+        m_number_of_pulls[v] == 2 * largest_number_of_pulls)
       return false;
     const Vector from = m_mesh.point(v).point, way = failing.place - failing.point;
-    const Vector to = m_number_of_pulls[v] < largest_number_of_pulls ? place_of_least_distance(v, way, failing)
-                                                                     : nearest_allowed(v, m_input.closest(from).point);
+    const Vector to = m_number_of_pulls[v] < largest_number_of_pulls
+                          ? place_of_least_distance(v, way, failing)
+                          : nearest_allowed(v, m_number_of_pulls[v] % 2 == 0 ? m_input.closest(from).point : failing.place);
     if (to == from || !m_operations.take_ring(v))
       return false;
     m_operations.move(v, to);
@@ -237,9 +239,10 @@ private:
         const Edge_index e = m_mesh.edge(h);
         if (m_mesh.is_border(e) || m_mesh.is_on_curve(e) || makes_needles(h, may_be_short))
           continue;
-        const Vector middle = internal::middle(h, m_mesh), on_input = m_input.closest(middle).point;
-        for (const Vector& point : {v == Mesh::null_vertex() ? failing.place : on_input, on_input, middle})
-          if (m_operations.accepts_split(h, point))
+        const Vector on_edge = v == Mesh::null_vertex() ? near_point(h, failing.point) : middle(h, m_mesh),
+                     on_input = m_input.closest(on_edge).point;
+        for (const Vector& point : {v == Mesh::null_vertex() ? failing.place : on_input, on_input, on_edge})
+          if (point == on_edge || m_operations.accepts_split(h, point)) // on the edge all faces stay as they are
           {
             if (!m_operations.take_quad(e))
               return false;
@@ -248,6 +251,15 @@ private:
           }
       }
     return false;
+  }
+
+  // the point of an edge that is nearest to a point, but not too near to its ends
+  Vector near_point(const Halfedge_index h, const Vector& p) const
+  {
+    const Vector &a = m_mesh.point(m_mesh.source(h)).point, &b = m_mesh.point(m_mesh.target(h)).point;
+    const double squared_length = (b - a).squaredNorm();
+    const double t = squared_length > 0 ? (p - a).dot(b - a) / squared_length : 0.5;
+    return a + (std::min)((std::max)(t, smallest_part_of_edge), 1 - smallest_part_of_edge) * (b - a);
   }
 
   std::vector<Halfedge_index> sides_by_distance(const Failing_face& failing) const

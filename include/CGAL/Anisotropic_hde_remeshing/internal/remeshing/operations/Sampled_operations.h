@@ -127,6 +127,7 @@ public:
     m_owners.take(m_mesh.face(h), samples);
     m_owners.take(m_mesh.face(m_mesh.opposite(h)), samples);
     const Vertex_index v = m_subdivision.split(h, new_state(h, point), {});
+    m_is_touched.resize(vertex_capacity(m_mesh), 1);
     m_owners.resize();
     give_around(v, samples);
   }
