@@ -183,5 +183,5 @@ int main()
   test_number_of_faces();
   test_schemes();
   test_stopping();
-  return 0;
+  return check_summary();
 }

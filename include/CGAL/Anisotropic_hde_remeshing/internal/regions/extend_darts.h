@@ -11,12 +11,13 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
+#include <CGAL/Anisotropic_hde_remeshing/internal/regions/Disjoint_sets.h>
+
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
 
 #include <boost/graph/graph_traits.hpp>
-#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -41,7 +42,6 @@ class Dart_extension
   typedef typename Graph_traits::halfedge_descriptor Halfedge;
   typedef typename Graph_traits::edge_descriptor Edge;
   typedef typename boost::property_map<TriangleMesh, dynamic_vertex_property_t<std::size_t>>::const_type Vertex_number_map;
-  typedef boost::disjoint_sets_with_storage<> Disjoint_sets;
 
   // the share of its length that an edge costs less if it is as sharp as a crease
   static constexpr double bonus_of_sharpness = 0.9;

@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
+#include <CGAL/Anisotropic_hde_remeshing/internal/regions/Disjoint_sets.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/Face_directions.h>
 
 #include <CGAL/Bbox_3.h>
@@ -19,7 +20,6 @@
 #include <CGAL/boost/graph/properties.h>
 
 #include <boost/graph/graph_traits.hpp>
-#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -41,7 +41,6 @@ class Crease_pruning
   typedef typename Graph_traits::edge_descriptor Edge;
   typedef typename Graph_traits::face_descriptor Face;
   typedef typename boost::property_map<TriangleMesh, dynamic_vertex_property_t<std::size_t>>::const_type Vertex_number_map;
-  typedef boost::disjoint_sets_with_storage<> Disjoint_sets;
   typedef Face_directions<TriangleMesh, VertexPointMap> Directions;
 
   // A speck has at most so many faces, and its box is smaller than this share of the size of its component.
@@ -101,7 +100,7 @@ private:
       if (a == b || !(is_speck(regions[a], size) || is_speck(regions[b], size)))
         continue;
       const Region both{regions[a].number_of_faces + regions[b].number_of_faces, regions[a].box + regions[b].box};
-      joined.link(a, b);
+      joined.union_set(a, b);
       regions[joined.find_set(a)] = both;
       put(is_crease, e, false);
       ++number_of_specks;

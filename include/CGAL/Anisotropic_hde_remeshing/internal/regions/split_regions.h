@@ -14,6 +14,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Vector.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Interruption.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/check_parameters.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/regions/Disjoint_sets.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -22,7 +23,6 @@
 #include <CGAL/boost/graph/properties.h>
 
 #include <boost/graph/graph_traits.hpp>
-#include <boost/pending/disjoint_sets.hpp>
 
 #include <cstddef>
 #include <stdexcept>
@@ -73,7 +73,7 @@ std::vector<Region_mesh> split_regions(const FaceGraph& mesh, const VertexPointM
   std::size_t number_of_corners = 0;
   for (const Halfedge h : halfedges(mesh))
     put(corner, h, number_of_corners++);
-  boost::disjoint_sets_with_storage<> same_vertex(number_of_corners);
+  Disjoint_sets same_vertex(number_of_corners);
   const auto region_of = [&](const Halfedge h) { return std::size_t(get(face_region, face(h, mesh))); };
   for (const auto e : edges(mesh))
   {
