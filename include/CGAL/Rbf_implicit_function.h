@@ -50,6 +50,12 @@ The points are distributed over patches that overlap. Each patch interpolates th
 \f$ \varepsilon_i \f$ at the off-surface points \f$ x_i + \varepsilon_i n_i \f$. The patches are solved in parallel. Smooth
 weights that sum to one blend them into one function. It is twice continuously differentiable with `Polyharmonic_rbf`.
 
+<b>On facets.</b> Where long facets meet short ones, or large ones small ones, as in meshes of CAD programs and of simplification,
+a smooth surface through the vertices alone swells between them. There the function interpolates points on facets, too, with the
+normals of the facets: the middles of edges that are longer than 2.5 times the size there, the longest first, if no point is near.
+The size is between the least and the mean altitude of the facets around. It grows by at most half of the way from a smaller one,
+and less where the surface bends. A mesh whose triangles are all about alike gets none, and at most four are added for a vertex.
+
 <b>Near and far.</b> From 2.5 to 3.5 local spacings away from the points the function passes to the signed distance to the input
 itself: to the facets of a mesh, or to the tangent planes of the nearest points. Interpolants would only extrapolate there, and
 might vanish where there is no surface. So the sign is right everywhere for a closed mesh that does not intersect itself, and
@@ -151,6 +157,12 @@ public:
                             points is 1. It lets the function miss the data so as to be smoother, against noise in points and
                             normals. 0 interpolates. `Rbf_diagnostics::worst_value_residual` tells by how much it misses.}
       \cgalParamDefault{0}
+    \cgalParamNEnd
+    \cgalParamNBegin{points_on_facets}
+      \cgalParamDescription{if `input` is a mesh: whether to interpolate points on facets, too, where these are large for what
+                            is around them}
+      \cgalParamType{Boolean}
+      \cgalParamDefault{`true`}
     \cgalParamNEnd
     \cgalParamNBegin{radial_function}
       \cgalParamDescription{the object of type `RadialFunction`}
@@ -308,6 +320,7 @@ private:
            const double input_seconds) const
   {
     diagnostics.number_of_points = sample.size();
+    diagnostics.number_of_points_on_facets = sample.number_of_points_on_facets;
     diagnostics.number_of_isolated_vertices = sample.number_of_isolated_vertices;
     diagnostics.number_of_duplicate_points = sample.number_of_duplicate_points;
     diagnostics.number_of_points_without_normal = std::size_t(std::count_if(

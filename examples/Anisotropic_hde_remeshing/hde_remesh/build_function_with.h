@@ -59,14 +59,19 @@ Built_function build_with(const Mesh& mesh, const Options& o)
 {
   // what the library has where nothing is given
   const CGAL::Anisotropic_hde_remeshing::internal::Interpolation_parameters defaults;
-  const auto np =
-      params::vertex_point_map(mesh.points())
-          .radial_function(radial_function<RadialFunction>(o))
-          .number_of_patches(o.patches ? static_cast<std::size_t>(*o.patches) : defaults.patches_of(mesh.number_of_vertices()))
-          .patch_overlap(o.overlap.value_or(defaults.patch_overlap))
-          .smoothing(o.smoothing.value_or(defaults.smoothing));
-  return o.offset ? build_with_parameters<RadialFunction>(mesh, o, np.offset_distance(*o.offset))
-                  : build_with_parameters<RadialFunction>(mesh, o, np);
+  const auto np = params::vertex_point_map(mesh.points())
+                      .radial_function(radial_function<RadialFunction>(o))
+                      .patch_overlap(o.overlap.value_or(defaults.patch_overlap))
+                      .smoothing(o.smoothing.value_or(defaults.smoothing))
+                      .points_on_facets(!o.vertices_only);
+  // how many points there will be, and with them patches, is not known here
+  const auto with_patches = [&](const auto& others)
+  {
+    return o.patches
+               ? build_with_parameters<RadialFunction>(mesh, o, others.number_of_patches(static_cast<std::size_t>(*o.patches)))
+               : build_with_parameters<RadialFunction>(mesh, o, others);
+  };
+  return o.offset ? with_patches(np.offset_distance(*o.offset)) : with_patches(np);
 }
 
 template <typename RadialFunction>

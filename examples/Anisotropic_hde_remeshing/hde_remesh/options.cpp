@@ -135,7 +135,7 @@ void add_function_options(CLI::App& app, Options& o)
   app.add_option("--shape", o.shape,
                  "width of the kernel, or radius of its support, in local edge lengths; r3 and thin-plate have none")
       ->group(group);
-  app.add_option("--patches", o.patches, "number of overlapping patches (default: one for 25 vertices)")->group(group);
+  app.add_option("--patches", o.patches, "number of overlapping patches (default: one for 25 points)")->group(group);
   app.add_option("--overlap", o.overlap, "how far a patch gathers vertices beyond its part, in local edge lengths")
       ->group(group);
   app.add_option("--offset", o.offset,
@@ -144,6 +144,9 @@ void add_function_options(CLI::App& app, Options& o)
       ->group(group);
   app.add_option("--smoothing", o.smoothing,
                  "ridge on the interpolation matrices, against noise: the surface may miss the vertices (default: 0)")
+      ->group(group);
+  app.add_flag("--vertices-only", o.vertices_only,
+               "put no points on facets that are large for what is around them: there the surface swells")
       ->group(group);
 }
 

@@ -93,6 +93,7 @@ Json to_json(const Figures& figures)
 Json to_json(const Hde::Rbf_diagnostics& rbf)
 {
   return {{"points", rbf.number_of_points},
+          {"points_on_facets", rbf.number_of_points_on_facets},
           {"duplicate_points", rbf.number_of_duplicate_points},
           {"points_without_normal", rbf.number_of_points_without_normal},
           {"patches", rbf.number_of_patches},
@@ -122,6 +123,7 @@ Json to_json(const Hde::Piecewise_rbf_diagnostics& pieces)
           {"closest_point_regions", pieces.number_of_closest_point_regions},
           {"regions_without_area", pieces.number_of_regions_without_area},
           {"points", pieces.number_of_points},
+          {"points_on_facets", pieces.number_of_points_on_facets},
           {"patches", pieces.number_of_patches},
           {"worst_residual", pieces.worst_residual},
           {"worst_value_residual", pieces.worst_value_residual},

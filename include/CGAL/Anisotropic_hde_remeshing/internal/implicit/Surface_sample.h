@@ -59,7 +59,7 @@ inline Normalization normalize(std::vector<Vector>& points)
 }
 
 // What the implicit function is built from: points of the surface, normalised, their unit normals, and the distances to their
-// neighbours. If the points are the vertices of a mesh, there are also the facets between them.
+// neighbours. If they are the vertices of a mesh, there are also the facets between them, and points on facets may follow behind.
 struct Surface_sample
 {
   Normalization normalization;
@@ -69,6 +69,7 @@ struct Surface_sample
   std::vector<Facet> facets;
   std::size_t number_of_isolated_vertices = 0;
   std::size_t number_of_duplicate_points = 0;
+  std::size_t number_of_points_on_facets = 0;
 
   std::size_t size() const { return points.size(); }
 };

@@ -13,6 +13,7 @@
 
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Facet_distance.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Point_distance.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Points_on_facets.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Signed_distance.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Surface_sample.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/sample_mesh.h>
@@ -29,6 +30,7 @@
 #include <memory>
 #include <stdexcept>
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
@@ -122,16 +124,18 @@ std::shared_ptr<const Surface_sample> sample_input(const MeshOrPointRange& input
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  std::shared_ptr<const Surface_sample> sample;
+  Surface_sample sample;
   if constexpr (Is_range<MeshOrPointRange>::value)
-    sample = std::make_shared<const Surface_sample>(sample_points<ConcurrencyTag>(
-        input, point_map_of<MeshOrPointRange>(np), normal_map_of<MeshOrPointRange>(np), interruption));
+    sample = sample_points<ConcurrencyTag>(input, point_map_of<MeshOrPointRange>(np), normal_map_of<MeshOrPointRange>(np),
+                                           interruption);
   else
-    sample = std::make_shared<const Surface_sample>(sample_mesh(
+    sample = sample_mesh(
         input, choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, input)),
-        get_parameter(np, internal_np::vertex_normal_map), interruption));
-  check_sample(*sample);
-  return sample;
+        get_parameter(np, internal_np::vertex_normal_map), interruption);
+  check_sample(sample);
+  if (choose_parameter(get_parameter(np, internal_np::points_on_facets), true))
+    add_points_on_facets<ConcurrencyTag>(sample, interruption);
+  return std::make_shared<const Surface_sample>(std::move(sample));
 }
 
 // the signed distance to the input

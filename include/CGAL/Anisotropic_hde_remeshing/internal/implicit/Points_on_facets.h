@@ -1,0 +1,208 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+#ifndef CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_IMPLICIT_POINTS_ON_FACETS_H
+#define CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_IMPLICIT_POINTS_ON_FACETS_H
+
+#include <CGAL/license/Anisotropic_hde_remeshing.h>
+
+#include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Vector.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Facet_edges.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Facet_sizes.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Graded_point_grid.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Point_search.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Surface_sample.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Interruption.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parallel/parallel.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Anisotropic_hde_remeshing {
+namespace internal {
+
+// Points on facets that are large for what is around them, as of CAD programs and of simplification. An interpolant of the vertices
+// alone swells there. Facets are divided in thought by their longest edges, as long as these are too long for the size there. The
+// middles of these edges are candidates, the longest for its size first. One is taken if no point is near. On a mesh whose
+// triangles are all about alike there is none: its vertices say more than its flat facets.
+class Points_on_facets
+{
+  // A longer edge is divided. The triangles of a remeshed surface have edges up to about twice the altitudes around.
+  static constexpr double longest_edge = 2.5;
+  // least distance between points: that to the ends of the shortest edge that is divided
+  static constexpr double least_gap = 1.2;
+  // bounds the time for a facet of any shape
+  static constexpr int most_bisections = 16;
+  // bounds their number: this many for each vertex
+  static constexpr std::size_t most_for_a_vertex = 4;
+
+public:
+  struct Point
+  {
+    double relative_length; // of the edge of which it is the middle, in sizes
+    double size;
+    std::size_t facet;
+    Vector point, normal;
+  };
+
+  Points_on_facets(const Surface_sample& sample, Interruption& interruption)
+    : m_sample(sample), m_edges(sample), m_sizes(sample, m_edges)
+  {
+    for (std::size_t f = 0; f < sample.facets.size(); ++f)
+    {
+      interruption.check();
+      const Facet& facet = sample.facets[f];
+      std::array<Corner, 3> corners;
+      for (std::size_t k = 0; k < 3; ++k)
+        corners[k] = Corner{sample.points[facet[k]], Vector::Unit(Eigen::Index(k))};
+      if (!m_edges.facet_normal(f).isZero(0))
+        divide(f, corners, most_bisections);
+    }
+    std::stable_sort(m_points.begin(), m_points.end(),
+                     [](const Point& p, const Point& q) { return p.relative_length > q.relative_length; });
+    if (!m_points.empty())
+      thin_out(interruption);
+  }
+
+  const std::vector<Point>& points() const { return m_points; }
+
+private:
+  struct Corner
+  {
+    Vector point, barycentric;
+  };
+
+  void divide(const std::size_t f, const std::array<Corner, 3>& corners, const int bisections)
+  {
+    // Lengths that rounding makes different are equal: the facets of both sides divide an edge at the same points.
+    static constexpr double longer = 1 + 1e-9;
+    std::size_t longest = 0;
+    double length = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const double length_of_k = (corners[(k + 1) % 3].point - corners[k].point).norm();
+      if (!(length_of_k > longer * length))
+        continue;
+      longest = k;
+      length = length_of_k;
+    }
+    const Corner &a = corners[longest], &b = corners[(longest + 1) % 3], &c = corners[(longest + 2) % 3];
+    const Corner middle{0.5 * (a.point + b.point), 0.5 * (a.barycentric + b.barycentric)};
+    const double size = m_sizes(f, middle.point, middle.barycentric);
+    if (!(length > longest_edge * size) || bisections == 0)
+      return;
+    m_points.push_back(Point{length / size, size, f, middle.point, normal(f, middle.barycentric)});
+    divide(f, {a, middle, c}, bisections - 1);
+    divide(f, {middle, b, c}, bisections - 1);
+  }
+
+  // that of the facet; on an edge, the mean of those of both sides
+  Vector normal(const std::size_t f, const Vector& barycentric) const
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+      if (barycentric[Eigen::Index(k)] == 0)
+        return m_edges.edge_normal(m_edges.edge(f, (k + 1) % 3));
+    return m_edges.facet_normal(f);
+  }
+
+  // Takes the points one by one, unless one is near on the same side: the other side of a thin plate is another surface.
+  void thin_out(Interruption& interruption)
+  {
+    Graded_point_grid grid;
+    std::vector<const Vector*> normals;
+    for (std::size_t i = 0; i < m_sample.size(); ++i)
+      if (std::isfinite(m_sizes(i)))
+      {
+        grid.insert(m_sample.points[i], m_sizes(i));
+        normals.push_back(&m_sample.normals[i]);
+      }
+    std::vector<Point> taken;
+    taken.reserve(m_points.size());
+    for (const Point& p : m_points)
+    {
+      interruption.check();
+      if (taken.size() == most_for_a_vertex * m_sample.size())
+        break;
+      if (grid.has_near(p.point, least_gap * p.size, p.size,
+                        [&](const std::size_t i) { return normals[i]->dot(p.normal) >= 0; }))
+        continue;
+      grid.insert(p.point, p.size);
+      taken.push_back(p);
+      normals.push_back(&taken.back().normal); // it stays there: the memory is reserved
+    }
+    m_points.swap(taken);
+  }
+
+  const Surface_sample& m_sample;
+  const Facet_edges m_edges;
+  const Facet_sizes m_sizes;
+  std::vector<Point> m_points;
+};
+
+// The spacings of the last points of the sample, and of those whose facets they are on: the mean distance to the nearest points, as
+// many as a vertex has neighbours.
+template <typename ConcurrencyTag>
+void update_spacings(Surface_sample& sample, std::vector<std::size_t> changed, Interruption& interruption)
+{
+  static constexpr unsigned int number_of_neighbors = 6;
+  std::sort(changed.begin(), changed.end());
+  changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+  const Point_search search(sample.points);
+  parallel_for<ConcurrencyTag>(
+      changed.size(),
+      [&](const std::size_t k)
+      {
+        const std::size_t i = changed[k];
+        double sum = 0, count = 0;
+        for (const auto& neighbor : search.nearest(sample.points[i], number_of_neighbors + 1))
+          if (neighbor.second != i)
+          {
+            sum += std::sqrt(neighbor.first);
+            ++count;
+          }
+        if (count > 0)
+          sample.spacings[i] = sample.spacings[i] > 0 ? (std::min)(sample.spacings[i], sum / count) : sum / count;
+      },
+      256, interruption);
+  interruption.check();
+}
+
+// adds them to the sample, behind its vertices
+template <typename ConcurrencyTag>
+void add_points_on_facets(Surface_sample& sample, Interruption& interruption)
+{
+  if (sample.facets.empty())
+    return;
+  const Points_on_facets points_on_facets(sample, interruption);
+  std::vector<std::size_t> changed;
+  for (const Points_on_facets::Point& p : points_on_facets.points())
+  {
+    changed.insert(changed.end(), sample.facets[p.facet].begin(), sample.facets[p.facet].end());
+    changed.push_back(sample.size() + sample.number_of_points_on_facets);
+    ++sample.number_of_points_on_facets;
+  }
+  if (changed.empty())
+    return;
+  for (const Points_on_facets::Point& p : points_on_facets.points())
+  {
+    sample.points.push_back(p.point);
+    sample.normals.push_back(p.normal);
+    sample.spacings.push_back(0);
+  }
+  update_spacings<ConcurrencyTag>(sample, changed, interruption);
+}
+
+} // namespace internal
+} // namespace Anisotropic_hde_remeshing
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_IMPLICIT_POINTS_ON_FACETS_H
