@@ -51,10 +51,18 @@ The points are distributed over patches that overlap. Each patch interpolates th
 weights that sum to one blend them into one function. It is twice continuously differentiable with `Polyharmonic_rbf`.
 
 <b>On facets.</b> Where long facets meet short ones, or large ones small ones, as in meshes of CAD programs and of simplification,
-a smooth surface through the vertices alone swells between them. There the function interpolates points on facets, too, with the
-normals of the facets: the middles of edges that are longer than 2.5 times the size there, the longest first, if no point is near.
-The size is between the least and the mean altitude of the facets around. It grows by at most half of the way from a smaller one,
-and less where the surface bends. A mesh whose triangles are all about alike gets none, and at most four are added for a vertex.
+a smooth surface through the vertices alone swells between them. There the function interpolates points on facets, too: the middles
+of edges that are longer than 2.5 times the size there, the longest first, if no point is near. The size is between the least and
+the mean altitude of the facets around. It grows by at most half of the way from a smaller one, and less where the surface bends.
+The normals of these points are those of the facets. A point is off its facet only where the normals at the vertices tell a bend: if
+they turn little, and alike at both ends of each edge. A mesh whose triangles are all about alike gets none of these points, and
+at most four are added for a vertex.
+
+In the end the function is checked at the centre of each facet and at the middle of each edge. With the spacing h there, its value
+must be at most twice the sum of h/10 and the rise of an arc of up to 2.5 h that has the normals at the vertices. Where it is not,
+points are added there, and the patches around are solved again, twice at most. Where it still is not, the signed distance to the
+facets answers for the patch, as below. With `smoothing` there are no such points and there is no such check, as vertices and facets
+are uncertain. `diagnostics()` counts all of this.
 
 <b>Near and far.</b> From 2.5 to 3.5 local spacings away from the points the function passes to the signed distance to the input
 itself: to the facets of a mesh, or to the tangent planes of the nearest points. Interpolants would only extrapolate there, and
@@ -160,9 +168,9 @@ public:
     \cgalParamNEnd
     \cgalParamNBegin{points_on_facets}
       \cgalParamDescription{if `input` is a mesh: whether to interpolate points on facets, too, where these are large for what
-                            is around them}
+                            is around them, and to check the function on all facets}
       \cgalParamType{Boolean}
-      \cgalParamDefault{`true`}
+      \cgalParamDefault{`true`, but without effect with `smoothing`}
     \cgalParamNEnd
     \cgalParamNBegin{radial_function}
       \cgalParamDescription{the object of type `RadialFunction`}
@@ -270,7 +278,7 @@ private:
     const double input_seconds = timer.time();
     m_interpolant = std::make_shared<const Interpolant>(sample, internal::distance_to_input<MeshOrPointRange>(sample),
                                                         interpolation, function, m_normalization.scale, interruption);
-    m_diagnostics = complete(m_interpolant->diagnostics(), *sample, input_seconds);
+    m_diagnostics = complete(m_interpolant->diagnostics(), m_interpolant->sample(), input_seconds);
   }
 
   template <int order>

@@ -154,7 +154,7 @@ void test_interpolation(const double two_sided_tolerance = 1e-10)
   for (const bool is_two_sided : {false, true})
   {
     const double tolerance = (is_two_sided ? two_sided_tolerance : 1e-10) * diagonal;
-    const F f(input.mesh, params::vertex_normal_map(input.normals).two_sided_offsets(is_two_sided));
+    const F f(input.mesh, params::vertex_normal_map(input.normals).two_sided_offsets(is_two_sided).points_on_facets(false));
     CHECK(f.diagnostics().number_of_points == 2562);
     CHECK(f.diagnostics().number_of_shortened_offsets == 0);
     CHECK(f.diagnostics().patches_on_fallback == 0);
@@ -260,7 +260,8 @@ template <typename F, typename Phi>
 void test_one_patch_of_ellipsoid(const Phi& phi, const double offset)
 {
   const Ellipsoid_with_normals input(2);
-  const F f(input.mesh, params::number_of_patches(1).offset_distance(offset).vertex_normal_map(input.normals));
+  const F f(input.mesh,
+            params::number_of_patches(1).offset_distance(offset).vertex_normal_map(input.normals).points_on_facets(false));
   CHECK(f.diagnostics().number_of_patches == 1);
   CHECK(f.diagnostics().max_centres == 2 * input.mesh.number_of_vertices());
   const auto reference = reference_interpolant(input.mesh, input.normals, offset, phi, Eigen::Vector3d::Zero());
@@ -385,7 +386,7 @@ void test_compact_support()
     return std::pow(1 - t, 4) * (4 * t + 1);
   };
   const CGAL::Wendland_C2_rbf kernel(support, CGAL::Rbf_length_unit::COORDINATES);
-  const auto np = params::number_of_patches(1).radial_function(kernel);
+  const auto np = params::number_of_patches(1).radial_function(kernel).points_on_facets(false);
   {
     const Ellipsoid_with_normals input(3);
     const double offset = 0.02;
@@ -427,7 +428,7 @@ void test_units_of_shape_parameter()
     const auto function = [&](const double length, const CGAL::Rbf_length_unit unit)
     {
       const CGAL::Wendland_C2_rbf kernel(length, unit);
-      return Wendland_function(mesh, params::number_of_patches(1).radial_function(kernel));
+      return Wendland_function(mesh, params::number_of_patches(1).radial_function(kernel).points_on_facets(false));
     };
     const Wendland_function relative = function(7, CGAL::Rbf_length_unit::LOCAL_SPACING),
                             absolute = function(7 * scale * spacing, CGAL::Rbf_length_unit::COORDINATES),

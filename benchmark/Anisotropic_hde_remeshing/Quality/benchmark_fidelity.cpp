@@ -127,7 +127,7 @@ void measure_facets(const std::vector<Named_mesh>& meshes)
 {
   Table table("facets to zero set and back, over the diagonal");
   table.add("mesh", "vertices", "rms", "99.9%", "largest", "worst 1%", "lost", "back: rms", "99.9%", "largest", "points",
-            "time", "seconds", "on fallback");
+            "time", "seconds", "refined", "off facets", "on fallback");
   Ratios times;
   for (const Named_mesh& m : meshes)
   {
@@ -143,7 +143,8 @@ void measure_facets(const std::vector<Named_mesh>& meshes)
     table.add(m.name, m.mesh.number_of_vertices(), there.rms / size, there.of_999 / size, there.max / size,
               there.share_of_worst, there.lost, back.rms / size, back.of_999 / size, back.max / size,
               double(f->diagnostics().number_of_points) / double(of_vertices->diagnostics().number_of_points),
-              seconds / seconds_of_vertices, seconds, f->diagnostics().patches_on_fallback);
+              seconds / seconds_of_vertices, seconds, f->diagnostics().number_of_refined_places,
+              f->diagnostics().patches_off_facets, f->diagnostics().patches_on_fallback);
   }
   table.print();
   std::cout << "time, geometric mean " << times.mean() << ", worst " << times.largest() << std::endl;

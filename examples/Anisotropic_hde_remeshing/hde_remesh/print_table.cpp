@@ -211,7 +211,9 @@ private:
              << pieces.number_of_patches << " patches, " << fixed(static_cast<double>(pieces.memory_bytes) / 1e6, 1)
              << " MB, residual " << number(pieces.worst_residual, 2) << '\n';
     m_stream << "self-check: " << pieces.patches_repaired << " patches repaired, " << pieces.patches_on_fallback
-             << " answered by the input itself, " << pieces.number_of_failed_checks << " checks of the others failed\n";
+             << " answered by the input itself (" << pieces.patches_off_facets << " too far from facets, after "
+             << pieces.number_of_refined_places << " points were added there), " << pieces.number_of_failed_checks
+             << " checks of the others failed\n";
   }
 
   void print_function(const Hde::Rbf_diagnostics& rbf)
@@ -221,7 +223,8 @@ private:
              << rbf.max_centres << "), " << fixed(static_cast<double>(rbf.memory_bytes) / 1e6, 1) << " MB, residual "
              << number(rbf.worst_residual, 2) << '\n';
     m_stream << "self-check: " << rbf.patches_repaired << " patches repaired, " << rbf.patches_on_fallback
-             << " answered by the input itself, " << rbf.number_of_failed_checks
+             << " answered by the input itself (" << rbf.patches_off_facets << " too far from facets, after "
+             << rbf.number_of_refined_places << " points were added there), " << rbf.number_of_failed_checks
              << " checks of the others failed; solved with ridge " << rbf.patches_with_ridge << ", by LU "
              << rbf.patches_with_lu << "; " << rbf.number_of_shortened_offsets << " offsets shortened\n";
   }

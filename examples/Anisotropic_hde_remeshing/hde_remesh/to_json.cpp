@@ -107,6 +107,8 @@ Json to_json(const Hde::Rbf_diagnostics& rbf)
           {"patches_with_ridge", rbf.patches_with_ridge},
           {"patches_with_lu", rbf.patches_with_lu},
           {"patches_on_fallback", rbf.patches_on_fallback},
+          {"patches_off_facets", rbf.patches_off_facets},
+          {"refined_places", rbf.number_of_refined_places},
           {"shortened_offsets", rbf.number_of_shortened_offsets},
           {"memory_bytes", rbf.memory_bytes},
           {"input_seconds", rbf.input_seconds},
@@ -131,6 +133,8 @@ Json to_json(const Hde::Piecewise_rbf_diagnostics& pieces)
           {"patches_repaired", pieces.patches_repaired},
           {"failed_checks", pieces.number_of_failed_checks},
           {"patches_on_fallback", pieces.patches_on_fallback},
+          {"patches_off_facets", pieces.patches_off_facets},
+          {"refined_places", pieces.number_of_refined_places},
           {"memory_bytes", pieces.memory_bytes}};
 }
 

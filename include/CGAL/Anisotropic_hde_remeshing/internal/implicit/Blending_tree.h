@@ -97,6 +97,13 @@ public:
 
   const std::vector<Leaf>& leaves() const { return m_leaves; }
 
+  // adds a new point, the last one of the sample, to the leaves; calls visit(number) for each of them
+  template <typename Visitor>
+  void add_point(const Surface_sample& sample, const std::size_t i, const Visitor& visit)
+  {
+    add_point(sample, i, 0, true, true, visit);
+  }
+
   // the points are needed for the solve only
   void release_points() { std::vector<Leaf>().swap(m_leaves); }
 
@@ -367,6 +374,31 @@ private:
       to.beyond.push_back((std::max)(from.beyond[k], beyond));
     }
     return to;
+  }
+
+  template <typename Visitor>
+  void add_point(const Surface_sample& sample, const std::size_t i, const std::size_t node_index, const bool has_offset,
+                 const bool is_own, const Visitor& visit)
+  {
+    const Node& node = m_nodes[node_index];
+    if (node.is_leaf)
+    {
+      Leaf& leaf = m_leaves[node.left];
+      leaf.points.push_back(i);
+      leaf.has_offset.push_back(has_offset);
+      if (is_own)
+        leaf.own_points.push_back(i);
+      visit(node.left);
+      return;
+    }
+    const double distance = node.distance(sample.points[i]);
+    for (const int side : {0, 1})
+    {
+      const double beyond = ((side == 0 ? distance : -distance) - node.half_width) / sample.spacings[i];
+      if (beyond <= m_overlap + 1e-9)
+        add_point(sample, i, node.left + std::size_t(side), has_offset && beyond <= offset_overlap,
+                  is_own && (distance > 0) == (side == 1), visit);
+    }
   }
 
   double m_blending = 1, m_overlap = 0;

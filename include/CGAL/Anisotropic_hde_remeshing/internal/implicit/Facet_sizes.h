@@ -66,6 +66,9 @@ public:
     return (std::min)(grown, (std::max)(mean, share_of_radius * m_radii[f]));
   }
 
+  // of the bend at a facet: its altitude over the turn, the least at its edges; infinite if it is flat there
+  double radius(const std::size_t f) const { return m_radii[f]; }
+
 private:
   double length(const std::size_t i, const std::size_t j) const { return (m_sample.points[i] - m_sample.points[j]).norm(); }
 

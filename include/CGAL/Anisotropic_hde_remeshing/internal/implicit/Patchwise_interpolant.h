@@ -13,10 +13,13 @@
 
 #include <CGAL/Anisotropic_hde_remeshing/Rbf_diagnostics.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Blending_tree.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Facet_check.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Facet_edges.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Off_surface_points.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Patch_check.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Patch_solver.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Signed_distance.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/interpolation_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Interruption.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/parallel.h>
 
@@ -27,27 +30,13 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
+#include <numeric>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
-
-// The parameters of the interpolant, checked. Lengths are in units of the local spacing, except for the absolute offset.
-struct Interpolation_parameters
-{
-  std::size_t number_of_patches = 0; // 0: patches_of() the number of points
-  double patch_overlap = 2.4;
-  double patch_blending = 0.6;
-  double relative_offset = 0.05;
-  double absolute_offset = 0; // 0: the relative one
-  bool offsets_on_both_sides = false;
-  double smoothing = 0;
-
-  // 25 points a patch measured best, in the time to build and to evaluate
-  static std::size_t patches_of(const std::size_t number_of_points) { return (number_of_points + 24) / 25; }
-};
 
 // The function s of the paper's Algorithm 1 in plain numbers. Each patch has a local interpolant that is checked and repaired.
 // The tree blends these. Far from the points the function is the signed distance to the input.
@@ -75,6 +64,8 @@ class Patchwise_interpolant
   static constexpr double largest_share_of_failures = 0.05;
   // beyond this share no repair is tried
   static constexpr double largest_repairable_share = 0.1;
+  // how often points are added where the zero set leaves the facets
+  static constexpr int rounds_of_refinement = 2;
   // stands for a number of failures
   static constexpr std::size_t no_solution = std::size_t(1) << 40;
 
@@ -90,6 +81,9 @@ public:
   }
 
   const Blending_tree& tree() const { return m_tree; }
+
+  // that of the constructor, with the points that were added
+  const Surface_sample& sample() const { return *m_sample; }
 
   const Rbf_diagnostics& diagnostics() const { return m_diagnostics; }
 
@@ -120,16 +114,114 @@ private:
     return Has_compact_support<RadialFunction>::value ? maximum : (std::min)(maximum, largest_dense_patch);
   }
 
-  void solve(const Solver_of_patch& solver, const Interpolation_parameters& parameters, Interruption& interruption)
+  // solves these patches
+  void solve(const Solver_of_patch& solver, const Places& places, const Interpolation_parameters& parameters,
+             const std::vector<std::size_t>& leaves, std::vector<Patch_result>& results, Interruption& interruption)
+  {
+    parallel_for<ConcurrencyTag>(
+        leaves.size(),
+        [&](const std::size_t k)
+        {
+          m_patches[leaves[k]] = Patch();
+          results[leaves[k]] = solve_patch(solver, places, parameters, leaves[k]);
+        },
+        1, interruption);
+    interruption.check();
+  }
+
+  // Solves all patches. Where the zero set is too far from the facets after that, it adds points there and solves the patches
+  // around once more. Where it still is in the end, the facets answer.
+  void solve(Offsets& offsets, const RadialFunction& function, const double unit_of_length,
+             const Interpolation_parameters& parameters, Interruption& interruption)
   {
     const std::size_t n = m_tree.leaves().size();
     m_patches.resize(n);
     const Places places = places_of_leaves();
     std::vector<Patch_result> results(n);
-    parallel_for<ConcurrencyTag>(
-        n, [&](const std::size_t k) { results[k] = solve_patch(solver, places, parameters, k); }, 1, interruption);
-    interruption.check();
+    std::vector<std::size_t> changed(n);
+    std::iota(changed.begin(), changed.end(), std::size_t(0));
+    solve(Solver_of_patch(*m_sample, offsets, function, unit_of_length), places, parameters, changed, results, interruption);
+    if (parameters.uses_facets && !m_sample->facets.empty())
+    {
+      const Facet_edges edges(*m_sample);
+      const Facet_check check(*m_sample, edges);
+      for (int round = 0; round < rounds_of_refinement && !changed.empty(); ++round)
+      {
+        changed = refine(check, failed_places(check, changed, interruption), interruption);
+        offsets = Offsets(*m_sample, m_tree, parameters.relative_offset, parameters.absolute_offset,
+                          parameters.offsets_on_both_sides, interruption);
+        solve(Solver_of_patch(*m_sample, offsets, function, unit_of_length), places, parameters, changed, results,
+              interruption);
+      }
+      answer_by_facets(check, failed_places(check, changed, interruption), results);
+    }
     summarise(results);
+  }
+
+  // those at which one of the changed patches counts, and at which the zero set is too far; sorted
+  std::vector<std::size_t> failed_places(const Facet_check& check, const std::vector<std::size_t>& changed,
+                                         Interruption& interruption) const
+  {
+    std::vector<std::size_t> result;
+    if (changed.empty())
+      return result;
+    std::vector<char> is_changed(m_patches.size(), 0), has_failed(check.size(), 0);
+    for (const std::size_t k : changed)
+      is_changed[k] = 1;
+    parallel_for<ConcurrencyTag>(
+        check.size(),
+        [&](const std::size_t i)
+        {
+          const Facet_check::Place place = check.place(i);
+          bool counts = false;
+          if (place.bound > 0)
+            m_tree.visit_leaves(place.point, [&](const std::size_t k) { counts = counts || is_changed[k]; });
+          has_failed[i] = counts && !(std::abs(evaluate<0>(place.point).value) <= place.bound);
+        },
+        64, interruption);
+    interruption.check();
+    for (std::size_t i = 0; i < check.size(); ++i)
+      if (has_failed[i])
+        result.push_back(i);
+    return result;
+  }
+
+  // Makes points of failed places. Returns the patches that have new points.
+  std::vector<std::size_t> refine(const Facet_check& check, const std::vector<std::size_t>& failed, Interruption& interruption)
+  {
+    std::vector<std::size_t> changed;
+    if (failed.empty())
+      return changed;
+    const auto refined = std::make_shared<Surface_sample>(*m_sample);
+    add_places<ConcurrencyTag>(check, check.to_refine(failed), *refined, interruption);
+    for (std::size_t i = m_sample->size(); i < refined->size(); ++i)
+      m_tree.add_point(*refined, i, [&](const std::size_t k) { changed.push_back(k); });
+    m_diagnostics.number_of_refined_places += refined->size() - m_sample->size();
+    m_sample = refined;
+    std::sort(changed.begin(), changed.end());
+    changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+    return changed;
+  }
+
+  // The facets answer for the patches that are too far at these places.
+  void answer_by_facets(const Facet_check& check, const std::vector<std::size_t>& failed, std::vector<Patch_result>& results)
+  {
+    for (const std::size_t number : failed)
+    {
+      const Facet_check::Place place = check.place(number);
+      Distance_at distance(*m_distance, place.point);
+      m_tree.visit_leaves(place.point,
+                          [&](const std::size_t k)
+                          {
+                            if (m_patches[k].is_on_fallback ||
+                                std::abs(evaluate_patch<0>(m_patches[k], distance).value) <= place.bound)
+                              return;
+                            ++m_diagnostics.patches_off_facets;
+                            m_patches[k].is_on_fallback = true;
+                            m_patches[k].interpolant = Interpolant();
+                            results[k].failures = 0;
+                          });
+    }
   }
 
   // Solves a patch and checks it. If it fails, tries smaller offsets, smoothing, and smoothing with a wider view. Each is kept if it
@@ -311,11 +403,11 @@ Patchwise_interpolant<RadialFunction, ConcurrencyTag>::Patchwise_interpolant(Sam
                          maximum_points_of_patch(number_of_patches, parameters), interruption);
   m_diagnostics.partition_seconds = timer.time();
   timer.reset();
-  const Offsets offsets(*m_sample, m_tree, parameters.relative_offset, parameters.absolute_offset,
-                        parameters.offsets_on_both_sides, interruption);
+  Offsets offsets(*m_sample, m_tree, parameters.relative_offset, parameters.absolute_offset, parameters.offsets_on_both_sides,
+                  interruption);
   m_diagnostics.constraint_seconds = timer.time();
   timer.reset();
-  solve(Solver_of_patch(*m_sample, offsets, function, unit_of_length), parameters, interruption);
+  solve(offsets, function, unit_of_length, parameters, interruption);
   m_diagnostics.solve_seconds = timer.time();
   m_diagnostics.number_of_shortened_offsets = offsets.number_of_shortened_offsets();
   m_tree.release_points();

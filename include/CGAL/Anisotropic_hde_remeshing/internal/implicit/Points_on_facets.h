@@ -32,7 +32,8 @@ namespace internal {
 
 // Points on facets that are large for what is around them, as of CAD programs and of simplification. An interpolant of the vertices
 // alone swells there. Facets are divided in thought by their longest edges, as long as these are too long for the size there. The
-// middles of these edges are candidates, the longest for its size first. One is taken if no point is near. On a mesh whose
+// middles of these edges are candidates, the longest for its size first. One is taken if no point is near. Where the normals at
+// the vertices belong to one bend, a point is on this bend. On a mesh whose
 // triangles are all about alike there is none: its vertices say more than its flat facets.
 class Points_on_facets
 {
@@ -100,9 +101,34 @@ private:
     const double size = m_sizes(f, middle.point, middle.barycentric);
     if (!(length > longest_edge * size) || bisections == 0)
       return;
-    m_points.push_back(Point{length / size, size, f, middle.point, normal(f, middle.barycentric)});
+    m_points.push_back(
+        Point{length / size, size, f, middle.point + rise(f, middle.barycentric), normal(f, middle.barycentric)});
     divide(f, {a, middle, c}, bisections - 1);
     divide(f, {middle, b, c}, bisections - 1);
+  }
+
+  // How far the surface rises above a facet, by cubic curves over its edges that have the normals at the vertices. It is zero if
+  // these normals are no two samples of one bend: if they turn much, or not alike at both ends of an edge. So they are on meshes
+  // that are adapted to a shape, of which the vertices are off the surface.
+  Vector rise(const std::size_t f, const Vector& barycentric) const
+  {
+    static constexpr double largest_turn = 0.5; // in radians, from the normal of the facet
+    static constexpr double largest_difference = 0.25, negligible_slope = 0.05;
+    const Facet& facet = m_sample.facets[f];
+    Vector result = Vector::Zero();
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const std::size_t i = facet[k], j = facet[(k + 1) % 3];
+      const Vector &m = m_sample.normals[i], &n = m_sample.normals[j], way = m_sample.points[j] - m_sample.points[i];
+      const double a = way.dot(m), b = way.dot(n), sum = std::abs(a) + std::abs(b);
+      if (m.isZero(0) || angle_between(m, m_edges.facet_normal(f)) > largest_turn ||
+          (std::abs(a + b) > largest_difference * sum && sum > negligible_slope * way.norm()))
+        return Vector::Zero();
+      const double u = barycentric[Eigen::Index(k)], v = barycentric[Eigen::Index((k + 1) % 3)];
+      if (u > 0 && v > 0)
+        result += u * v / (u + v) * (v * b * n - u * a * m);
+    }
+    return result;
   }
 
   // that of the facet; on an edge, the mean of those of both sides

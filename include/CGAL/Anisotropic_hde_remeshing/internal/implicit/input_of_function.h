@@ -16,6 +16,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Points_on_facets.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Signed_distance.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Surface_sample.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/interpolation_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/sample_mesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/sample_points.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Interruption.h>
@@ -133,7 +134,7 @@ std::shared_ptr<const Surface_sample> sample_input(const MeshOrPointRange& input
         input, choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, input)),
         get_parameter(np, internal_np::vertex_normal_map), interruption);
   check_sample(sample);
-  if (choose_parameter(get_parameter(np, internal_np::points_on_facets), true))
+  if (interpolation_parameters(np).uses_facets)
     add_points_on_facets<ConcurrencyTag>(sample, interruption);
   return std::make_shared<const Surface_sample>(std::move(sample));
 }

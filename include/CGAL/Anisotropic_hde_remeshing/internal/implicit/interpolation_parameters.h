@@ -11,15 +11,32 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
-#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Patchwise_interpolant.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/check_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/parameters.h>
 
 #include <CGAL/number_utils.h>
 
+#include <cstddef>
+
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
+
+// The parameters of the interpolant, checked. Lengths are in units of the local spacing, except for the absolute offset.
+struct Interpolation_parameters
+{
+  std::size_t number_of_patches = 0; // 0: patches_of() the number of points
+  double patch_overlap = 2.4;
+  double patch_blending = 0.6;
+  double relative_offset = 0.05;
+  double absolute_offset = 0; // 0: the relative one
+  bool offsets_on_both_sides = false;
+  double smoothing = 0;
+  bool uses_facets = false; // whether it interpolates points on facets, too, and is checked there
+
+  // 25 points a patch measured best, in the time to build and to evaluate
+  static std::size_t patches_of(const std::size_t number_of_points) { return (number_of_points + 24) / 25; }
+};
 
 // the named parameters of the interpolant, checked
 template <typename NamedParameters>
@@ -43,6 +60,9 @@ Interpolation_parameters interpolation_parameters(const NamedParameters& np)
     result.offsets_on_both_sides = get_parameter(np, internal_np::two_sided_offsets);
   if constexpr (!is_default_parameter<NamedParameters, internal_np::smoothing_t>::value)
     result.smoothing = checked_not_negative("smoothing", CGAL::to_double(get_parameter(np, internal_np::smoothing)));
+  result.uses_facets = result.smoothing == 0;
+  if constexpr (!is_default_parameter<NamedParameters, internal_np::points_on_facets_t>::value)
+    result.uses_facets = result.uses_facets && get_parameter(np, internal_np::points_on_facets);
   return result;
 }
 

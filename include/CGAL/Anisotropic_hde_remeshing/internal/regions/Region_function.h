@@ -87,6 +87,8 @@ private:
     result.number_of_patches += field.number_of_patches;
     result.patches_repaired += field.patches_repaired;
     result.patches_on_fallback += field.patches_on_fallback;
+    result.patches_off_facets += field.patches_off_facets;
+    result.number_of_refined_places += field.number_of_refined_places;
     result.number_of_failed_checks += field.number_of_failed_checks;
     result.worst_residual = (std::max)(result.worst_residual, field.worst_residual);
     result.worst_value_residual = (std::max)(result.worst_value_residual, field.worst_value_residual);

@@ -1,0 +1,278 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+// The function stays on the facets that it is built from: points on facets, and the check of all facets.
+
+#include "check.h"
+#include "shapes.h"
+
+#include <CGAL/Piecewise_rbf_implicit_function.h>
+#include <CGAL/Rbf_implicit_function.h>
+
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_placement.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_cost.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_placement.h>
+#include <CGAL/Surface_mesh_simplification/edge_collapse.h>
+#include <CGAL/tags.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iostream>
+#include <vector>
+
+using namespace shapes;
+
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
+namespace SMS = CGAL::Surface_mesh_simplification;
+
+typedef CGAL::Rbf_implicit_function<Kernel> Function;
+typedef CGAL::Rbf_implicit_function<Kernel, CGAL::Polyharmonic_rbf, CGAL::Parallel_if_available_tag> Parallel_function;
+
+// the side of a cylinder of radius 1 and height 4, with `bands` rows of long facets between straight rings
+Mesh open_cylinder(const std::size_t sides, const std::size_t bands)
+{
+  Soup soup;
+  for (std::size_t k = 0; k <= bands; ++k)
+    for (std::size_t i = 0; i < sides; ++i)
+    {
+      const double angle = 2 * pi * double(i) / double(sides);
+      soup.points.push_back(Point_3(std::cos(angle), std::sin(angle), 4. * double(k) / double(bands)));
+    }
+  for (std::size_t k = 0; k < bands; ++k)
+    for (std::size_t i = 0; i < sides; ++i)
+    {
+      const std::size_t p = k * sides + i, q = k * sides + (i + 1) % sides;
+      soup.triangles.push_back({p, q, q + sides});
+      soup.triangles.push_back({p, q + sides, p + sides});
+    }
+  return to_mesh(soup);
+}
+
+struct At_400_vertices
+{
+  template <typename FT, typename Profile>
+  bool operator()(const FT&, const Profile& profile, std::size_t, std::size_t) const
+  {
+    return profile.surface_mesh().number_of_vertices() <= 400;
+  }
+};
+
+// an ellipsoid, reduced by edge collapse: long along the ellipsoid, short around it, and the vertices are off it
+Mesh adapted_ellipsoid()
+{
+  Mesh mesh = ellipsoid(5);
+  SMS::edge_collapse(mesh, At_400_vertices(),
+                     CGAL::parameters::get_cost(SMS::LindstromTurk_cost<Mesh>())
+                         .get_placement(SMS::Bounded_normal_change_placement<SMS::LindstromTurk_placement<Mesh>>()));
+  mesh.collect_garbage();
+  return mesh;
+}
+
+// A fan of needles in a plane around a low tip, of which some have no area. The aspect ratio is 6,000.
+Mesh needles()
+{
+  Soup soup;
+  soup.points.push_back(Point_3(0, 0, 0.1));
+  const std::size_t n = 2000;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const double angle = 2 * pi * double(i - i % 7 / 6) / double(n); // each seventh point is equal to the one before
+    soup.points.push_back(Point_3(std::cos(angle), std::sin(angle), 0));
+    soup.triangles.push_back({0, 1 + i, 1 + (i + 1) % n});
+  }
+  return to_mesh(soup);
+}
+
+// points of all faces
+std::vector<Point_3> points_of_faces(const Mesh& mesh)
+{
+  std::vector<Point_3> result;
+  for (const Mesh::Face_index f : mesh.faces())
+  {
+    const Mesh::Halfedge_index h = mesh.halfedge(f);
+    for (const double u : {0.02, 0.2, 0.4, 0.6, 0.8, 0.98})
+      for (const double v : {0., 0.1, 0.5, 0.9})
+        result.push_back(CGAL::barycenter(mesh.point(mesh.source(h)), u, mesh.point(mesh.target(h)), (1 - u) * v,
+                                          mesh.point(mesh.target(mesh.next(h))), (1 - u) * (1 - v)));
+  }
+  return result;
+}
+
+template <typename F>
+double largest_distance(const F& f, const Mesh& mesh)
+{
+  double result = 0;
+  for (const Point_3& p : points_of_faces(mesh))
+  {
+    const auto at_p = f.value_and_gradient(p);
+    result = (std::max)(result, std::abs(at_p.first) / std::sqrt(at_p.second.squared_length()));
+  }
+  return result;
+}
+
+template <typename F, typename G>
+bool are_equal(const F& f, const G& g, const std::vector<Point_3>& points)
+{
+  return std::all_of(points.begin(), points.end(),
+                     [&](const Point_3& p) { return f.value_and_gradient(p) == g.value_and_gradient(p); });
+}
+
+// no more than twice the height of a side above its chord; through the vertices alone it is dented
+void test_cylinders()
+{
+  for (const std::size_t sides : {12, 32, 64})
+    for (const std::size_t bands : {1, 2, 5})
+    {
+      const Mesh mesh = open_cylinder(sides, bands);
+      const double chord = 1 - std::cos(pi / double(sides));
+      const Parallel_function f(mesh), of_vertices(mesh, params::points_on_facets(false));
+      const double distance = largest_distance(f, mesh) / chord, of_vertices_only = largest_distance(of_vertices, mesh) / chord;
+      std::cout << sides << " sides, " << bands << " bands: " << distance << " chord heights, of vertices only "
+                << of_vertices_only << "; " << f.diagnostics().number_of_points_on_facets << " points on facets" << std::endl;
+      CHECK(distance <= 2);
+      CHECK(distance <= 1.05 * of_vertices_only);
+      CHECK(bands > 1 || of_vertices_only > 5);
+      CHECK(f.diagnostics().patches_on_fallback == 0);
+      CHECK(of_vertices.diagnostics().number_of_points == mesh.number_of_vertices());
+    }
+}
+
+// however long the facets are
+void test_number_of_points()
+{
+  for (const std::size_t sides : {90, 360})
+  {
+    const Mesh mesh = open_cylinder(sides, 1);
+    const Parallel_function f(mesh);
+    std::cout << sides << " sides: " << f.diagnostics().number_of_points_on_facets << " points on facets" << std::endl;
+    CHECK(f.diagnostics().number_of_points_on_facets > 0);
+    CHECK(f.diagnostics().number_of_points_on_facets <= 4 * mesh.number_of_vertices());
+    CHECK(largest_distance(f, mesh) <= 0.001);
+  }
+  const Mesh mesh = needles();
+  const Parallel_function f(mesh);
+  CHECK(f.diagnostics().number_of_points_on_facets <= 6 * mesh.number_of_vertices());
+  for (const Point_3& p : points_of_faces(mesh))
+    CHECK(std::isfinite(f(p)) && std::isfinite(f.gradient(p).squared_length()));
+}
+
+// The zero set is as near as promised at the middles of all edges and the centres of all facets. The spacings here are those of the
+// vertices alone, which are not less than those that count.
+void test_bound()
+{
+  const Mesh mesh = adapted_ellipsoid();
+  const Parallel_function f(mesh);
+  std::cout << "adapted ellipsoid: " << f.diagnostics().number_of_points_on_facets << " points on facets, "
+            << f.diagnostics().number_of_refined_places << " of them where the surface was too far, "
+            << f.diagnostics().patches_off_facets << " patches still are" << std::endl;
+  CHECK(f.diagnostics().number_of_points_on_facets > 0);
+  const auto spacing = [&](const Mesh::Vertex_index v)
+  {
+    double sum = 0;
+    for (const Mesh::Vertex_index w : mesh.vertices_around_target(mesh.halfedge(v)))
+      sum += std::sqrt(CGAL::squared_distance(mesh.point(v), mesh.point(w)));
+    return sum / double(mesh.degree(v));
+  };
+  const auto rise = [&](const Mesh::Halfedge_index h)
+  {
+    const Vector_3 way = mesh.point(mesh.target(h)) - mesh.point(mesh.source(h));
+    double sum = 0;
+    for (const Mesh::Vertex_index v : {mesh.source(h), mesh.target(h)})
+    {
+      const Vector_3 g = f.gradient(mesh.point(v));
+      sum += std::abs(way * g) / std::sqrt(g.squared_length()) / 8;
+    }
+    return sum;
+  };
+  static const double tolerance = 1.1; // the gradient at a vertex is near to the normal
+  for (const Mesh::Edge_index e : mesh.edges())
+  {
+    const Mesh::Halfedge_index h = mesh.halfedge(e);
+    const double size = (spacing(mesh.source(h)) + spacing(mesh.target(h))) / 2;
+    const Point_3 middle = CGAL::midpoint(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)));
+    CHECK(std::abs(f(middle)) <= tolerance * 2 * (0.1 * size + rise(h)));
+  }
+  for (const Mesh::Face_index face : mesh.faces())
+  {
+    double size = 0, rises = 0;
+    Vector_3 sum(0, 0, 0);
+    for (const Mesh::Halfedge_index h : mesh.halfedges_around_face(mesh.halfedge(face)))
+    {
+      size += spacing(mesh.target(h)) / 3;
+      rises += rise(h) * 4 / 9;
+      sum = sum + (mesh.point(mesh.target(h)) - CGAL::ORIGIN) / 3;
+    }
+    CHECK(std::abs(f(CGAL::ORIGIN + sum)) <= tolerance * 2 * (0.1 * size + rises));
+  }
+}
+
+// the function is the same for any number of threads
+void test_threads()
+{
+  const Mesh mesh = adapted_ellipsoid();
+  CHECK(are_equal(Function(mesh), Parallel_function(mesh), points_of_faces(mesh)));
+}
+
+// Where all triangles are about alike nothing is added, and the function is that of the vertices, bit by bit. So it is with
+// smoothing.
+void test_even_meshes()
+{
+  for (const Mesh& mesh : {icosphere(3), torus(40, 20)})
+  {
+    const Parallel_function f(mesh), of_vertices(mesh, params::points_on_facets(false));
+    CHECK(f.diagnostics().number_of_points_on_facets == 0);
+    CHECK(are_equal(f, of_vertices, points_of_faces(mesh)));
+  }
+  const Mesh mesh = open_cylinder(32, 2);
+  const Parallel_function f(mesh, params::smoothing(0.1)), of_vertices(mesh, params::smoothing(0.1).points_on_facets(false));
+  CHECK(are_equal(f, of_vertices, points_of_faces(mesh)));
+}
+
+// Stretched triangles of an exact surface are no harm: the points on them are on the bend that the normals tell.
+void test_stretched_triangles()
+{
+  const auto rms = [](const auto& f)
+  {
+    double sum = 0;
+    for (const Point_3& q : spiral_points(5000))
+    {
+      const auto at_p = f.value_and_gradient(Point_3(q.x(), 2 * q.y(), 5 * q.z()));
+      sum += at_p.first * at_p.first / at_p.second.squared_length() / 5000;
+    }
+    return std::sqrt(sum);
+  };
+  for (const unsigned int level : {3, 4})
+  {
+    const Mesh mesh = ellipsoid(level);
+    const double with = rms(Parallel_function(mesh)), without = rms(Parallel_function(mesh, params::points_on_facets(false)));
+    std::cout << "ellipsoid, level " << level << ": " << with << ", of vertices only " << without << std::endl;
+    CHECK(with <= 1.05 * without);
+  }
+}
+
+// the same for the regions of a piecewise function
+void test_regions()
+{
+  const Mesh mesh = open_cylinder(32, 2);
+  const CGAL::Piecewise_rbf_implicit_function<Kernel> f(mesh, CGAL::Constant_property_map<Mesh::Face_index, std::size_t>(0));
+  CHECK(f.number_of_pieces() == 1);
+  CHECK(largest_distance(f.piece(0), mesh) <= 2 * (1 - std::cos(pi / 32)));
+}
+
+int main()
+{
+  test_cylinders();
+  test_number_of_points();
+  test_bound();
+  test_threads();
+  test_even_meshes();
+  test_stretched_triangles();
+  test_regions();
+  return check_summary();
+}
