@@ -33,8 +33,9 @@ namespace internal {
 class Facet_check
 {
   static constexpr double factor = 2, share_of_spacing = 0.1;
-  // An arc is no longer than that, in spacings: longer edges have other points near.
-  static constexpr double longest_arc = 2.5;
+  // An arc is no longer than that, in spacings: longer edges have other points near. It is no steeper at its ends than that, as a
+  // sine: normals that are turned more are those of an edge of the surface, and explain nothing.
+  static constexpr double longest_arc = 2, steepest = 0.3;
 
 public:
   struct Place
@@ -90,7 +91,8 @@ private:
     const auto [i, j] = m_edges.edges()[edge];
     const Vector way = m_points[j] - m_points[i];
     const double length = way.norm(), arc = (std::min)(length, longest_arc * 0.5 * (m_spacings[i] + m_spacings[j]));
-    return length > 0 ? arc / length * (std::abs(way.dot(m_normals[i])) + std::abs(way.dot(m_normals[j]))) / 8 : 0.;
+    const auto slope = [&](const Vector& normal) { return (std::min)(std::abs(way.dot(normal)) / length, steepest); };
+    return length > 0 ? arc * (slope(m_normals[i]) + slope(m_normals[j])) / 8 : 0.;
   }
 
   Place place_of_edge(const std::size_t edge) const
