@@ -58,8 +58,14 @@ The normals of these points are those of the facets. A point is off its facet on
 they turn little, and alike at both ends of each edge. A mesh whose triangles are all about alike gets none of these points, and
 at most four are added for a vertex.
 
-In the end the function is checked at the centre of each facet and at the middle of each edge. With the spacing h there, its value
-must be at most twice the sum of h/10 and the rise of an arc of up to 2.5 h that has the normals at the vertices. Where it is not,
+<b>Edges.</b> Where facets turn by more than a radian, 57 degrees, across an edge, the surface is not smooth at its own sampling: it
+would have to bend as sharply as a facet is wide. A normal between those of the facets would make it swell on both sides. So
+vertices and points there have no off-surface points, unless `vertex_normal_map` is given. The surface still rounds the edge off,
+within a facet or two. `Piecewise_rbf_implicit_function` keeps it.
+
+<b>Check of the facets.</b> In the end the function is checked at the centre of each facet and at the middle of each edge. With the spacing h there, its value
+must be at most twice the sum of h/10 and the rise of an arc of up to 2 h that has the normals at the vertices, and is no steeper
+at its ends than 17 degrees. Where it is not,
 points are added there, and the patches around are solved again, twice at most. Where it still is not, the signed distance to the
 facets answers for the patch, as below. With `smoothing` there are no such points and there is no such check, as vertices and facets
 are uncertain. `diagnostics()` counts all of this.
@@ -171,6 +177,12 @@ public:
                             is around them, and to check the function on all facets}
       \cgalParamType{Boolean}
       \cgalParamDefault{`true`, but without effect with `smoothing`}
+    \cgalParamNEnd
+    \cgalParamNBegin{detect_edges}
+      \cgalParamDescription{if `input` is a mesh: whether vertices at which facets turn by more than a radian across an edge have no
+                            off-surface points}
+      \cgalParamType{Boolean}
+      \cgalParamDefault{`true`, but without effect with `smoothing` or `vertex_normal_map`}
     \cgalParamNEnd
     \cgalParamNBegin{radial_function}
       \cgalParamDescription{the object of type `RadialFunction`}
@@ -329,6 +341,8 @@ private:
   {
     diagnostics.number_of_points = sample.size();
     diagnostics.number_of_points_on_facets = sample.number_of_points_on_facets;
+    diagnostics.number_of_points_on_edges =
+        std::size_t(std::count(sample.is_on_edge.begin(), sample.is_on_edge.end(), char(1)));
     diagnostics.number_of_isolated_vertices = sample.number_of_isolated_vertices;
     diagnostics.number_of_duplicate_points = sample.number_of_duplicate_points;
     diagnostics.number_of_points_without_normal = std::size_t(std::count_if(

@@ -131,7 +131,7 @@ void test_cylinders()
     {
       const Mesh mesh = open_cylinder(sides, bands);
       const double chord = 1 - std::cos(pi / double(sides));
-      const Parallel_function f(mesh), of_vertices(mesh, params::points_on_facets(false));
+      const Parallel_function f(mesh), of_vertices(mesh, params::points_on_facets(false).detect_edges(false));
       const double distance = largest_distance(f, mesh) / chord, of_vertices_only = largest_distance(of_vertices, mesh) / chord;
       std::cout << sides << " sides, " << bands << " bands: " << distance << " chord heights, of vertices only "
                 << of_vertices_only << "; " << f.diagnostics().number_of_points_on_facets << " points on facets" << std::endl;
@@ -225,7 +225,7 @@ void test_even_meshes()
 {
   for (const Mesh& mesh : {icosphere(3), torus(80, 20)})
   {
-    const Parallel_function f(mesh), of_vertices(mesh, params::points_on_facets(false));
+    const Parallel_function f(mesh), of_vertices(mesh, params::points_on_facets(false).detect_edges(false));
     CHECK(f.diagnostics().number_of_points_on_facets == 0);
     CHECK(are_equal(f, of_vertices, points_of_faces(mesh)));
   }
@@ -250,10 +250,41 @@ void test_stretched_triangles()
   for (const unsigned int level : {3, 4})
   {
     const Mesh mesh = ellipsoid(level);
-    const double with = rms(Parallel_function(mesh)), without = rms(Parallel_function(mesh, params::points_on_facets(false)));
+    const double with = rms(Parallel_function(mesh)),
+                 without = rms(Parallel_function(mesh, params::points_on_facets(false).detect_edges(false)));
     std::cout << "ellipsoid, level " << level << ": " << with << ", of vertices only " << without << std::endl;
     CHECK(with <= 1.05 * without);
   }
+}
+
+// An edge of a cube is an edge, not a bend as wide as a facet: no normal says so, and the surface is nearer to both sides. That can
+// be turned off, and normals of the caller are what he says.
+void test_edges()
+{
+  const Mesh mesh = cube(6);
+  const Parallel_function f(mesh), bent(mesh, params::detect_edges(false));
+  const auto rms = [&](const auto& function)
+  {
+    double sum = 0;
+    const std::vector<Point_3> points = points_of_faces(mesh);
+    for (const Point_3& p : points)
+      sum += function(p) * function(p) / double(points.size());
+    return std::sqrt(sum);
+  };
+  std::cout << "cube: " << rms(f) << ", with bent edges " << rms(bent) << std::endl;
+  CHECK(rms(f) < 0.7 * rms(bent));
+  CHECK(f.diagnostics().number_of_points_on_edges == 12 * 5 + 8);
+  CHECK(f.diagnostics().number_of_points_without_normal == 0);
+  CHECK(f.diagnostics().patches_on_fallback == 0);
+  CHECK(bent.diagnostics().number_of_points_on_edges == 0);
+  Mesh with_normals = mesh;
+  const auto normals = with_normals.add_property_map<Mesh::Vertex_index, Vector_3>("v:normal").first;
+  for (const Mesh::Vertex_index v : mesh.vertices())
+    normals[v] = bent.gradient(mesh.point(v));
+  CHECK(Parallel_function(with_normals, params::vertex_normal_map(normals)).diagnostics().number_of_points_on_edges == 0);
+  // the coarsest tube that is smooth, and the finest that is not
+  CHECK(Parallel_function(open_cylinder(7, 4)).diagnostics().number_of_points_on_edges == 0);
+  CHECK(Parallel_function(open_cylinder(6, 4)).diagnostics().number_of_points_on_edges > 0);
 }
 
 // the same for the regions of a piecewise function
@@ -273,6 +304,7 @@ int main()
   test_threads();
   test_even_meshes();
   test_stretched_triangles();
+  test_edges();
   test_regions();
   return check_summary();
 }

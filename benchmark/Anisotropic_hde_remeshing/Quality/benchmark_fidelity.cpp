@@ -14,7 +14,7 @@
 //
 // --facets: the distances from the facets of MESH to the zero set of its function and back, over the diagonal of the bounding box:
 // root mean square, 99.9%, largest; the share of the worst 1% of the area in the sum of squares; the time to build the function,
-// over that without points on facets; and how many points there are, over the number of vertices.
+// over that without points on facets and edges; and how many points there are, over the number of vertices.
 // --truth: MESH is reduced to a quarter and an eighth of its vertices, evenly by isotropic_remeshing, and adapted to the shape by
 // edge collapse of Lindstrom and Turk, and of Garland and Heckbert. A function is built from that. Its zero set has some distance
 // from MESH, and so have the reduced facets themselves. The ratio is below 1 if the function is nearer than they are.
@@ -133,8 +133,8 @@ void measure_facets(const std::vector<Named_mesh>& meshes)
   {
     std::unique_ptr<Function> f, of_vertices;
     const double seconds = seconds_of([&] { f = std::make_unique<Function>(m.mesh); });
-    const double seconds_of_vertices =
-        seconds_of([&] { of_vertices = std::make_unique<Function>(m.mesh, params::points_on_facets(false)); });
+    const double seconds_of_vertices = seconds_of(
+        [&] { of_vertices = std::make_unique<Function>(m.mesh, params::points_on_facets(false).detect_edges(false)); });
     const fidelity::Walked_samples samples(m.mesh, *f, number_of_samples, CGAL::parameters::default_values());
     const fidelity::Summary there = fidelity::summarise(samples.distances),
                             back = fidelity::summarise(fidelity::Distance_to_mesh(m.mesh)(samples.feet));
@@ -162,7 +162,7 @@ void measure_truth(const std::vector<Named_mesh>& meshes)
       for (const std::size_t part : {4, 8})
       {
         const Mesh mesh = reduced(m.mesh, how, part);
-        const Function f(mesh), of_vertices(mesh, params::points_on_facets(false));
+        const Function f(mesh), of_vertices(mesh, params::points_on_facets(false).detect_edges(false));
         const fidelity::Walked_samples samples(mesh, f, number_of_samples, CGAL::parameters::default_values()),
             samples_of_vertices(mesh, of_vertices, number_of_samples, CGAL::parameters::default_values());
         const double facets = fidelity::summarise(distance(samples.points)).rms;
@@ -213,7 +213,7 @@ void measure_cad(const bool is_whole)
                           : shape == "tube"        ? cad_shapes::tube(n, k)
                                                    : cad_shapes::plate(n / 4);
         const double chord = cad_shapes::chord_height(n);
-        const Function f(mesh), of_vertices(mesh, params::points_on_facets(false));
+        const Function f(mesh), of_vertices(mesh, params::points_on_facets(false).detect_edges(false));
         const auto defaults = CGAL::parameters::default_values();
         const Cad_figures with = cad_figures(mesh, fidelity::Walked_samples(mesh, f, 20000, defaults), chord),
                           without = cad_figures(mesh, fidelity::Walked_samples(mesh, of_vertices, 20000, defaults), chord);

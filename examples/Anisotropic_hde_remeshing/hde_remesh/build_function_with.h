@@ -63,7 +63,8 @@ Built_function build_with(const Mesh& mesh, const Options& o)
                       .radial_function(radial_function<RadialFunction>(o))
                       .patch_overlap(o.overlap.value_or(defaults.patch_overlap))
                       .smoothing(o.smoothing.value_or(defaults.smoothing))
-                      .points_on_facets(!o.vertices_only);
+                      .points_on_facets(!o.vertices_only)
+                      .detect_edges(!o.smooth_edges);
   // how many points there will be, and with them patches, is not known here
   const auto with_patches = [&](const auto& others)
   {

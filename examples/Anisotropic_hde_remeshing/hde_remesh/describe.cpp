@@ -60,7 +60,7 @@ void warn_of_options(const Options& options, const Remeshed& remeshed, Report& r
         {"--kernel", options.kernel != "r3"},       {"--shape", options.shape.has_value()},
         {"--patches", options.patches.has_value()}, {"--overlap", options.overlap.has_value()},
         {"--offset", options.offset.has_value()},   {"--smoothing", options.smoothing.has_value()},
-        {"--vertices-only", options.vertices_only}};
+        {"--vertices-only", options.vertices_only}, {"--smooth-edges", options.smooth_edges}};
     for (const auto& [name, is_given] : given)
       if (is_given)
         report.warnings.push_back(std::string(name) + " has no effect: by measured error there is no function");

@@ -145,6 +145,9 @@ void add_function_options(CLI::App& app, Options& o)
   app.add_option("--smoothing", o.smoothing,
                  "ridge on the interpolation matrices, against noise: the surface may miss the vertices (default: 0)")
       ->group(group);
+  app.add_flag("--smooth-edges", o.smooth_edges,
+               "where triangles turn by more than 57 degrees, take normals between theirs: there the surface swells")
+      ->group(group);
   app.add_flag("--vertices-only", o.vertices_only,
                "put no points on facets that are large for what is around them: there the surface swells")
       ->group(group);

@@ -46,6 +46,7 @@ struct Piecewise_rbf_diagnostics
   /// @{
   std::size_t number_of_points = 0;           ///< of all fields; a vertex on a crease is a point of each region there
   std::size_t number_of_points_on_facets = 0; ///< those among them that are no vertices, but lie on facets
+  std::size_t number_of_points_on_edges = 0;  ///< on sharp edges inside of the regions: no off-surface points
   std::size_t number_of_patches = 0;          ///< of the interpolants
   std::size_t patches_repaired = 0;           ///< patches that failed a check and were solved once more
   std::size_t patches_on_fallback = 0;        ///< patches that were not solved or not repaired: the input itself answers there

@@ -25,6 +25,7 @@ struct Rbf_diagnostics
   /// @{
   std::size_t number_of_points = 0;                ///< points of the surface, without the isolated and duplicate ones below
   std::size_t number_of_points_on_facets = 0;      ///< those among them that are no vertices, but lie on facets
+  std::size_t number_of_points_on_edges = 0;       ///< on sharp edges that were detected: no off-surface points
   std::size_t number_of_isolated_vertices = 0;     ///< vertices without a face, ignored
   std::size_t number_of_duplicate_points = 0;      ///< points equal to another one, ignored
   std::size_t number_of_points_without_normal = 0; ///< with a zero or cancelled normal: no off-surface points

@@ -122,6 +122,7 @@ void functions()
   Function d(mesh, relative_offset_distance("2")); // the named parameter relative_offset_distance takes a number
   Function e(mesh, two_sided_offsets("yes")); // the named parameter two_sided_offsets takes a Boolean
   Function q(mesh, points_on_facets("yes")); // the named parameter points_on_facets takes a Boolean
+  Function r(mesh, detect_edges("yes")); // the named parameter detect_edges takes a Boolean
   Function f(mesh, smoothing("no")); // the named parameter smoothing takes a number
   Function g(mesh, radial_function(CGAL::Gaussian_rbf())); // the named parameter radial_function takes an object of the second template argument
   Function h(mesh, visitor(2)); // the named parameter visitor takes a model of RemeshingVisitor

@@ -41,12 +41,18 @@ public:
   struct Place
   {
     Vector point, normal;
-    double bound; // on the distance to the zero set
+    double bound;    // on the distance to the zero set
+    bool is_on_edge; // of the surface
   };
 
   // keeps a reference to the edges. The bounds are those of the spacings that the sample has now.
   Facet_check(const Surface_sample& sample, const Facet_edges& edges)
-    : m_points(sample.points), m_normals(sample.normals), m_spacings(sample.spacings), m_facets(sample.facets), m_edges(edges)
+    : m_points(sample.points),
+      m_normals(sample.normals),
+      m_spacings(sample.spacings),
+      m_is_on_edge(sample.is_on_edge),
+      m_facets(sample.facets),
+      m_edges(edges)
   {
   }
 
@@ -91,8 +97,12 @@ private:
     const auto [i, j] = m_edges.edges()[edge];
     const Vector way = m_points[j] - m_points[i];
     const double length = way.norm(), arc = (std::min)(length, longest_arc * 0.5 * (m_spacings[i] + m_spacings[j]));
-    const auto slope = [&](const Vector& normal) { return (std::min)(std::abs(way.dot(normal)) / length, steepest); };
-    return length > 0 ? arc * (slope(m_normals[i]) + slope(m_normals[j])) / 8 : 0.;
+    const auto slope = [&](const std::size_t v)
+    {
+      const bool is_on_edge = !m_is_on_edge.empty() && m_is_on_edge[v] != 0;
+      return is_on_edge ? 0. : (std::min)(std::abs(way.dot(m_normals[v])) / length, steepest);
+    };
+    return length > 0 ? arc * (slope(i) + slope(j)) / 8 : 0.;
   }
 
   Place place_of_edge(const std::size_t edge) const
@@ -101,7 +111,7 @@ private:
     const double spacing = 0.5 * (m_spacings[i] + m_spacings[j]);
     const Vector normal = m_edges.edge_normal(edge);
     return Place{0.5 * (m_points[i] + m_points[j]), normal,
-                 normal.isZero(0) || i == j ? 0. : factor * (rise(edge) + share_of_spacing * spacing)};
+                 normal.isZero(0) || i == j ? 0. : factor * (rise(edge) + share_of_spacing * spacing), m_edges.is_sharp(edge)};
   }
 
   Place place_of_facet(const std::size_t f) const
@@ -109,7 +119,7 @@ private:
     // a quadratic over a triangle has this share of the rises of its edges at the centre
     static constexpr double share_of_rises = 4. / 9;
     const Facet& facet = m_facets[f];
-    Place result{Vector::Zero(), m_edges.facet_normal(f), 0};
+    Place result{Vector::Zero(), m_edges.facet_normal(f), 0, false};
     double spacing = 0, rises = 0;
     for (std::size_t k = 0; k < 3; ++k)
     {
@@ -124,6 +134,7 @@ private:
 
   const std::vector<Vector> m_points, m_normals;
   const std::vector<double> m_spacings;
+  const std::vector<char> m_is_on_edge;
   const std::vector<Facet> m_facets;
   const Facet_edges& m_edges;
 };
@@ -143,6 +154,8 @@ void add_places(const Facet_check& check, const std::vector<std::size_t>& number
     sample.points.push_back(place.point);
     sample.normals.push_back(place.normal);
     sample.spacings.push_back(0);
+    if (!sample.is_on_edge.empty())
+      sample.is_on_edge.push_back(place.is_on_edge);
     ++sample.number_of_points_on_facets;
   }
   update_spacings<ConcurrencyTag>(sample, changed, interruption);

@@ -52,7 +52,10 @@ public:
       {
         m_edges.push_back(edge);
         m_sums.push_back(Vector::Zero());
+        m_is_sharp.push_back(0);
       }
+      else if (!m_facet_normals[f].isZero(0) && !m_sums.back().isZero(0))
+        m_is_sharp.back() = angle_between(m_sums.back(), m_facet_normals[f]) > least_turn_of_edge;
       m_sums.back() += m_facet_normals[f];
       m_edges_of[f][k] = m_edges.size() - 1;
     }
@@ -62,6 +65,9 @@ public:
 
   // the index of edge `k` of facet `f`
   std::size_t edge(const std::size_t f, const std::size_t k) const { return m_edges_of[f][k]; }
+
+  // Whether the surface has an edge there: a smooth one would have to bend as sharply as its facets are wide.
+  bool is_sharp(const std::size_t edge) const { return m_is_sharp[edge] != 0; }
 
   // zero if the facet is degenerate
   const Vector& facet_normal(const std::size_t f) const { return m_facet_normals[f]; }
@@ -74,10 +80,14 @@ public:
   }
 
 private:
+  // Radians. The tubes of seven sides and more are smooth.
+  static constexpr double least_turn_of_edge = 1;
+
   std::vector<Vector> m_facet_normals;
   std::vector<std::array<std::size_t, 3>> m_edges_of;
   std::vector<Edge> m_edges;
-  std::vector<Vector> m_sums; // by edge, of the normals of its facets
+  std::vector<Vector> m_sums;   // by edge, of the normals of its facets
+  std::vector<char> m_is_sharp; // by edge
 };
 
 } // namespace internal

@@ -47,11 +47,11 @@ public:
           {
             const double offset = absolute_offset > 0 ? absolute_offset : relative_offset * sample.spacings[i];
             m_outer[i] = valid_offset(sample, leaf, i, offset, 1);
-            m_is_shortened[i] = m_outer[i] != offset;
+            m_is_shortened[i] = m_outer[i] != offset && !sample.is_on_edge_of_surface(i);
             if (!on_both_sides)
               continue;
             m_inner[i] = valid_offset(sample, leaf, i, offset, -1);
-            m_is_shortened[i] = m_is_shortened[i] || m_inner[i] != offset;
+            m_is_shortened[i] = m_is_shortened[i] || (m_inner[i] != offset && !sample.is_on_edge_of_surface(i));
           }
         },
         1, interruption);
@@ -70,7 +70,7 @@ private:
   static double valid_offset(const Surface_sample& sample, const Blending_tree::Leaf& leaf, const std::size_t i, double offset,
                              const double side)
   {
-    if (sample.normals[i].isZero(0))
+    if (!sample.has_side(i))
       return 0;
     for (int halving = 0; halving <= largest_number_of_halvings; ++halving, offset *= 0.5)
       if (is_nearest(sample, leaf, i, side * offset))

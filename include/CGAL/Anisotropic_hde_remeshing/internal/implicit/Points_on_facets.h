@@ -53,10 +53,12 @@ public:
     double size;
     std::size_t facet;
     Vector point, normal;
+    bool is_on_edge; // of the surface
   };
 
-  Points_on_facets(const Surface_sample& sample, Interruption& interruption)
-    : m_sample(sample), m_edges(sample), m_sizes(sample, m_edges)
+  // keeps references
+  Points_on_facets(const Surface_sample& sample, const Facet_edges& edges, Interruption& interruption)
+    : m_sample(sample), m_edges(edges), m_sizes(sample, m_edges)
   {
     for (std::size_t f = 0; f < sample.facets.size(); ++f)
     {
@@ -101,8 +103,7 @@ private:
     const double size = m_sizes(f, middle.point, middle.barycentric);
     if (!(length > longest_edge * size) || bisections == 0)
       return;
-    m_points.push_back(
-        Point{length / size, size, f, middle.point + rise(f, middle.barycentric), normal(f, middle.barycentric)});
+    m_points.push_back(point(f, middle, length / size, size));
     divide(f, {a, middle, c}, bisections - 1);
     divide(f, {middle, b, c}, bisections - 1);
   }
@@ -131,13 +132,18 @@ private:
     return result;
   }
 
-  // that of the facet; on an edge, the mean of those of both sides
-  Vector normal(const std::size_t f, const Vector& barycentric) const
+  // Its normal is that of the facet; on an edge, the mean of those of both sides.
+  Point point(const std::size_t f, const Corner& c, const double relative_length, const double size) const
   {
+    Point result{relative_length, size, f, c.point + rise(f, c.barycentric), m_edges.facet_normal(f), false};
     for (std::size_t k = 0; k < 3; ++k)
-      if (barycentric[Eigen::Index(k)] == 0)
-        return m_edges.edge_normal(m_edges.edge(f, (k + 1) % 3));
-    return m_edges.facet_normal(f);
+      if (c.barycentric[Eigen::Index(k)] == 0)
+      {
+        const std::size_t edge = m_edges.edge(f, (k + 1) % 3);
+        result.normal = m_edges.edge_normal(edge);
+        result.is_on_edge = m_edges.is_sharp(edge);
+      }
+    return result;
   }
 
   // Takes the points one by one, unless one is near on the same side: the other side of a thin plate is another surface.
@@ -169,7 +175,7 @@ private:
   }
 
   const Surface_sample& m_sample;
-  const Facet_edges m_edges;
+  const Facet_edges& m_edges;
   const Facet_sizes m_sizes;
   std::vector<Point> m_points;
 };
@@ -202,29 +208,36 @@ void update_spacings(Surface_sample& sample, std::vector<std::size_t> changed, I
   interruption.check();
 }
 
+// marks the vertices on sharp edges
+inline void mark_edges(Surface_sample& sample, const Facet_edges& edges)
+{
+  for (std::size_t e = 0; e < edges.edges().size(); ++e)
+    if (edges.is_sharp(e))
+    {
+      sample.is_on_edge.resize(sample.size(), 0);
+      sample.is_on_edge[edges.edges()[e].first] = sample.is_on_edge[edges.edges()[e].second] = 1;
+    }
+}
+
 // adds them to the sample, behind its vertices
 template <typename ConcurrencyTag>
-void add_points_on_facets(Surface_sample& sample, Interruption& interruption)
+void add_points_on_facets(Surface_sample& sample, const Facet_edges& edges, Interruption& interruption)
 {
-  if (sample.facets.empty())
-    return;
-  const Points_on_facets points_on_facets(sample, interruption);
+  const Points_on_facets points_on_facets(sample, edges, interruption);
   std::vector<std::size_t> changed;
   for (const Points_on_facets::Point& p : points_on_facets.points())
   {
     changed.insert(changed.end(), sample.facets[p.facet].begin(), sample.facets[p.facet].end());
-    changed.push_back(sample.size() + sample.number_of_points_on_facets);
-    ++sample.number_of_points_on_facets;
-  }
-  if (changed.empty())
-    return;
-  for (const Points_on_facets::Point& p : points_on_facets.points())
-  {
+    changed.push_back(sample.size());
     sample.points.push_back(p.point);
     sample.normals.push_back(p.normal);
     sample.spacings.push_back(0);
+    if (!sample.is_on_edge.empty())
+      sample.is_on_edge.push_back(p.is_on_edge);
+    ++sample.number_of_points_on_facets;
   }
-  update_spacings<ConcurrencyTag>(sample, changed, interruption);
+  if (!changed.empty())
+    update_spacings<ConcurrencyTag>(sample, changed, interruption);
 }
 
 } // namespace internal

@@ -66,12 +66,18 @@ struct Surface_sample
   std::vector<Vector> points;
   std::vector<Vector> normals; // zero if unknown: the point has no off-surface points
   std::vector<double> spacings;
+  std::vector<char> is_on_edge; // whether it has no off-surface points, as its sides look in different directions; empty: none
   std::vector<Facet> facets;
   std::size_t number_of_isolated_vertices = 0;
   std::size_t number_of_duplicate_points = 0;
   std::size_t number_of_points_on_facets = 0;
 
   std::size_t size() const { return points.size(); }
+
+  bool is_on_edge_of_surface(const std::size_t i) const { return !is_on_edge.empty() && is_on_edge[i] != 0; }
+
+  // whether it has off-surface points
+  bool has_side(const std::size_t i) const { return !normals[i].isZero(0) && !is_on_edge_of_surface(i); }
 };
 
 inline std::size_t memory_bytes_of(const Surface_sample& sample)

@@ -12,6 +12,7 @@
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Facet_distance.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Facet_edges.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Point_distance.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Points_on_facets.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Signed_distance.h>
@@ -134,8 +135,15 @@ std::shared_ptr<const Surface_sample> sample_input(const MeshOrPointRange& input
         input, choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, input)),
         get_parameter(np, internal_np::vertex_normal_map), interruption);
   check_sample(sample);
-  if (interpolation_parameters(np).uses_facets)
-    add_points_on_facets<ConcurrencyTag>(sample, interruption);
+  const Interpolation_parameters interpolation = interpolation_parameters(np);
+  if ((interpolation.uses_facets || interpolation.finds_edges) && !sample.facets.empty())
+  {
+    const Facet_edges edges(sample);
+    if (interpolation.finds_edges)
+      mark_edges(sample, edges);
+    if (interpolation.uses_facets)
+      add_points_on_facets<ConcurrencyTag>(sample, edges, interruption);
+  }
   return std::make_shared<const Surface_sample>(std::move(sample));
 }
 

@@ -32,6 +32,7 @@ struct Interpolation_parameters
   double absolute_offset = 0; // 0: the relative one
   bool offsets_on_both_sides = false;
   double smoothing = 0;
+  bool finds_edges = false; // whether vertices on sharp edges have no normal
   bool uses_facets = false; // whether it interpolates points on facets, too, and is checked there
 
   // 25 points a patch measured best, in the time to build and to evaluate
@@ -61,6 +62,9 @@ Interpolation_parameters interpolation_parameters(const NamedParameters& np)
   if constexpr (!is_default_parameter<NamedParameters, internal_np::smoothing_t>::value)
     result.smoothing = checked_not_negative("smoothing", CGAL::to_double(get_parameter(np, internal_np::smoothing)));
   result.uses_facets = result.smoothing == 0;
+  result.finds_edges = result.smoothing == 0 && is_default_parameter<NamedParameters, internal_np::vertex_normal_map_t>::value;
+  if constexpr (!is_default_parameter<NamedParameters, internal_np::detect_edges_t>::value)
+    result.finds_edges = result.finds_edges && get_parameter(np, internal_np::detect_edges);
   if constexpr (!is_default_parameter<NamedParameters, internal_np::points_on_facets_t>::value)
     result.uses_facets = result.uses_facets && get_parameter(np, internal_np::points_on_facets);
   return result;

@@ -222,6 +222,7 @@ struct Parameters_of_function
            Takes_two_sided_offsets::template accepts<NamedParameters, Subject>() &&
            Takes_smoothing::template accepts<NamedParameters, Subject>() &&
            Takes_points_on_facets::template accepts<NamedParameters, Subject>() &&
+           Takes_detect_edges::template accepts<NamedParameters, Subject>() &&
            Takes_radial_function::template accepts<NamedParameters, Subject>() &&
            Takes_visitor::template accepts<NamedParameters, Subject>();
   }

@@ -222,7 +222,7 @@ constexpr bool leaves_embedding_and_function_open =
                                                                    internal_np::patch_overlap_t, internal_np::offset_distance_t,
                                                                    internal_np::relative_offset_distance_t,
                                                                    internal_np::two_sided_offsets_t, internal_np::smoothing_t,
-                                                                   internal_np::points_on_facets_t,
+                                                                   internal_np::points_on_facets_t, internal_np::detect_edges_t,
                                                                    internal_np::radial_function_t,
                                                                    internal_np::vertex_normal_map_t>;
 
