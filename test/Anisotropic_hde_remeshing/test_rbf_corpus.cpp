@@ -199,8 +199,8 @@ void test_function(const std::string& name, const Function& f, const Mesh& mesh)
   const Faces faces(mesh);
   std::cout << name << ": patches " << f.diagnostics().number_of_patches << ", on fallback "
             << f.diagnostics().patches_on_fallback << ", repaired " << f.diagnostics().patches_repaired;
-  CHECK(f.diagnostics().number_of_points + f.diagnostics().number_of_duplicate_points +
-            f.diagnostics().number_of_isolated_vertices ==
+  CHECK(f.diagnostics().number_of_points - f.diagnostics().number_of_points_on_facets +
+            f.diagnostics().number_of_duplicate_points + f.diagnostics().number_of_isolated_vertices ==
         mesh.number_of_vertices());
   CHECK(number_of_values_not_finite(f, mesh, faces) == 0);
 

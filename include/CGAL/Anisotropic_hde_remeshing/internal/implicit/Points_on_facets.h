@@ -100,12 +100,19 @@ private:
     }
     const Corner &a = corners[longest], &b = corners[(longest + 1) % 3], &c = corners[(longest + 2) % 3];
     const Corner middle{0.5 * (a.point + b.point), 0.5 * (a.barycentric + b.barycentric)};
-    const double size = m_sizes(f, middle.point, middle.barycentric);
-    if (!(length > longest_edge * size) || bisections == 0)
+    const double size = m_sizes(f, middle.point, middle.barycentric), relative_length = rounded(length / size);
+    if (!(relative_length > longest_edge) || bisections == 0)
       return;
-    m_points.push_back(point(f, middle, length / size, size));
+    m_points.push_back(point(f, middle, relative_length, size));
     divide(f, {a, middle, c}, bisections - 1);
     divide(f, {middle, b, c}, bisections - 1);
+  }
+
+  // The last bits depend on the unit and the place of the input. Without these bits the points of a symmetric shape are taken in the
+  // same order everywhere.
+  static double rounded(const double relative_length)
+  {
+    return std::ldexp(std::nearbyint(std::ldexp(relative_length, 20)), -20);
   }
 
   // How far the surface rises above a facet, by cubic curves over its edges that have the normals at the vertices. It is zero if
