@@ -118,7 +118,7 @@ void check_same_quality(const std::string& name, const Figures& figures, const F
 {
   check_quality(name, figures, bounds);
   CHECK_CLOSE(figures.number_of_faces, expected.number_of_faces, 0.01 * double(expected.number_of_faces));
-  CHECK_CLOSE(figures.embedding.minimum_angle_mean, expected.embedding.minimum_angle_mean, 0.5);
+  CHECK_CLOSE(figures.embedding.minimum_angle_mean, expected.embedding.minimum_angle_mean, 0.6);
   CHECK_CLOSE(figures.embedding.share_within_sqrt_2, expected.embedding.share_within_sqrt_2, 0.005);
 }
 

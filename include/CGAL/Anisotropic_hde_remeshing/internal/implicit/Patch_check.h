@@ -38,15 +38,15 @@ public:
 
   Patch_check(const Surface_sample& sample, const Signed_distance& input) : m_sample(sample), m_input(input) {}
 
-  // Places have numbers, four for a facet or one for a point. They are made when they are asked for. Calls visit(number, place)
+  // Places have numbers, four for a facet or one for a point, those on facets behind the facets. They are made when they are asked for. Calls visit(number, place)
   // for all of them: for the centre of each facet, for three more in facets that are large for the points around them, and for
-  // the points if there are no facets. Degenerate facets have no places.
+  // the points if there are no facets, as for those on facets. Degenerate facets have no places.
   template <typename Visitor>
   void visit_places(const Visitor& visit) const
   {
     if (m_sample.facets.empty())
       for (std::size_t i = 0; i < m_sample.size(); ++i)
-        if (!m_sample.normals[i].isZero(0))
+        if (m_sample.has_side(i))
           visit(i, place(i));
     for (std::size_t f = 0; f < m_sample.facets.size(); ++f)
     {
@@ -58,12 +58,17 @@ public:
         for (std::size_t k = 1; k <= 3; ++k)
           visit(4 * f + k, place(4 * f + k));
     }
+    for (std::size_t k = 0; k < m_sample.number_of_points_on_facets; ++k)
+      if (m_sample.has_side(first_on_facets() + k))
+        visit(4 * m_sample.facets.size() + k, place_of_point(first_on_facets() + k));
   }
 
   Place place(const std::size_t number) const
   {
     if (m_sample.facets.empty())
-      return Place{m_sample.points[number], m_sample.normals[number], m_sample.spacings[number]};
+      return place_of_point(number);
+    if (number >= 4 * m_sample.facets.size())
+      return place_of_point(first_on_facets() + number - 4 * m_sample.facets.size());
     const Facet& facet = m_sample.facets[number / 4];
     const Vector &a = m_sample.points[facet[0]], &b = m_sample.points[facet[1]], &c = m_sample.points[facet[2]];
     const Vector area = (b - a).cross(c - a), centre = (a + b + c) / 3;
@@ -107,6 +112,13 @@ private:
   static constexpr double least_height = 1e-3;  // over the longest edge
   static constexpr double large_facet = 2;      // its longest edge, in units of the spacing of its points
   static constexpr double least_distance = 0.2; // from here on the sign counts, in units of the spacing
+
+  std::size_t first_on_facets() const { return m_sample.size() - m_sample.number_of_points_on_facets; }
+
+  Place place_of_point(const std::size_t i) const
+  {
+    return Place{m_sample.points[i], m_sample.normals[i], m_sample.spacings[i]};
+  }
 
   double longest_edge(const Facet& facet) const
   {

@@ -62,6 +62,8 @@ class Patchwise_interpolant
 
   // largest share of failed checks of a patch; beyond it, the input itself is better than the interpolant
   static constexpr double largest_share_of_failures = 0.05;
+  // the same of a patch with points on facets: facets so large are a good answer
+  static constexpr double largest_share_on_facets = 0.02;
   // beyond this share no repair is tried
   static constexpr double largest_repairable_share = 0.1;
   // how often points are added where the zero set leaves the facets
@@ -250,7 +252,9 @@ private:
     attempt_again(leaf, Patch_settings{1, smoothing});
     if (best.failures > 0)
       attempt_again(m_tree.widened_leaf(*m_sample, k, wider_overlap * parameters.patch_overlap), Patch_settings{1, smoothing});
-    if (double(best.failures) > largest_share_of_failures * number_of_checks)
+    const bool is_on_facets =
+        leaf.own_points.back() >= m_sample->size() - m_sample->number_of_points_on_facets; // they are the last ones
+    if (double(best.failures) > (is_on_facets ? largest_share_on_facets : largest_share_of_failures) * number_of_checks)
     {
       m_patches[k].is_on_fallback = true;
       m_patches[k].interpolant = Interpolant();
