@@ -14,6 +14,10 @@
 #include <CGAL/Piecewise_rbf_implicit_function.h>
 #include <CGAL/Rbf_implicit_function.h>
 
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Facet_check.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/sample_mesh.h>
+
+#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_placement.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_cost.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_placement.h>
@@ -212,6 +216,40 @@ void test_bound()
   }
 }
 
+// Of a real mesh no place is too far from the zero set, and many are without points and check. The bounds are those before points
+// were added, which are not less.
+void test_bound_of_animal()
+{
+  namespace internal = CGAL::Anisotropic_hde_remeshing::internal;
+  Mesh mesh;
+  if (!CHECK(CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(CGAL::data_file_path("meshes/camel.off"), mesh)))
+    return;
+  internal::Interruption interruption([] { return true; });
+  const internal::Surface_sample sample =
+      internal::sample_mesh(mesh, mesh.points(), CGAL::internal_np::Param_not_found(), interruption);
+  const internal::Facet_edges edges(sample);
+  const internal::Facet_check check(sample, edges);
+  const auto too_far = [&](const Parallel_function& f)
+  {
+    std::size_t result = 0;
+    for (std::size_t i = 0; i < check.size(); ++i)
+    {
+      const internal::Facet_check::Place place = check.place(i);
+      const Eigen::Vector3d p = place.point / sample.normalization.scale + sample.normalization.centre;
+      const double value = sample.normalization.scale * f(Point_3(p[0], p[1], p[2]));
+      result += place.bound > 0 && !(std::abs(value) <= place.bound * (1 + 1e-9)) ? 1 : 0;
+    }
+    return result;
+  };
+  const Parallel_function f(mesh), of_vertices(mesh, params::points_on_facets(false).detect_edges(false));
+  std::cout << "camel: of " << check.size() << " places too far " << too_far(f) << ", of vertices only " << too_far(of_vertices)
+            << "; " << f.diagnostics().number_of_refined_places << " refined, " << f.diagnostics().patches_off_facets
+            << " patches answered by facets" << std::endl;
+  CHECK(too_far(f) == 0);
+  CHECK(too_far(of_vertices) > 0);
+  CHECK(f.diagnostics().number_of_refined_places > 0);
+}
+
 // the function is the same for any number of threads
 void test_threads()
 {
@@ -301,6 +339,7 @@ int main()
   test_cylinders();
   test_number_of_points();
   test_bound();
+  test_bound_of_animal();
   test_threads();
   test_even_meshes();
   test_stretched_triangles();
