@@ -9,7 +9,7 @@
 
 # Whether the smooth surface stays on the facets that it is built from: distances from the facets of CGAL's meshes, and of those
 # given, to the zero set and back; the zero set of reduced meshes against the whole ones; cylinders, tubes, cones and plates as CAD
-# programs write them. Prints three tables, see benchmark_fidelity.cpp. About five minutes.
+# programs write them. Prints three tables, see benchmark_fidelity.cpp. About three minutes.
 # With --all: all meshes are reduced, and there are more of those shapes. Half an hour.
 # Usage: scripts/benchmark_fidelity.sh [--all] [MESH...]
 # BUILD_DIR (default build/benchmark) and JOBS (default 2) may be set in the environment.
