@@ -61,7 +61,7 @@ class Error_remesher
   static constexpr double share_of_coarsening = 0.3;       // of the progress that is told
   // Longest edge over altitude: up to the first a shape is free, above the second no operation makes it worse.
   static constexpr double free_ratio = 4, largest_ratio = 40;
-  static constexpr int refinements_without_progress = 6;
+  static constexpr int refinements_without_progress = 10;
   static constexpr double share_in_the_mean = 0.7; // of the distance that samples may have
   static constexpr double price_of_shape = 2, price_of_shape_for_least_distance = 0.1;
 

@@ -49,7 +49,8 @@ class Bounded_refiner
   static constexpr double smallest_part_of_way = 0.03;        // by which a corner is pulled
   static constexpr double smallest_progress = 0.99;           // a pull makes the largest distance at least so much smaller
   static constexpr unsigned char largest_number_of_pulls = 4; // of a vertex, before it goes to the place
-  static constexpr int last_round_to_contract = 8;
+  static constexpr int rounds_of_pulls = 6; // after so many, what has been flipped and split since may let vertices go further
+  static constexpr int first_rounds_to_contract = 8, round_to_contract = 3; // after these, one of so many
 
 public:
   Bounded_refiner(const Mesh& mesh, const Input_surface& input, const Owners& owners, const Shape_price& price,
@@ -59,7 +60,7 @@ public:
   }
 
   // The farthest faces come first. Returns how many have been changed; the others are beside these, or nothing is accepted. To
-  // begin with, corners are contracted, too. Later that would undo what splits have done.
+  // begin with, corners are contracted, too. Later that would mostly undo what splits have done.
   std::size_t operator()(std::vector<Failing_face> faces, const int round)
   {
     std::stable_sort(faces.begin(), faces.end(),
@@ -67,6 +68,8 @@ public:
     const Contractions measured(m_mesh, m_owners, m_price);
     for (const Failing_face& f : faces)
       m_places.push_back(f.place);
+    if (round % rounds_of_pulls == rounds_of_pulls - 1)
+      m_number_of_pulls.clear();
     m_number_of_pulls.resize(vertex_capacity(m_mesh), 0);
     m_operations.begin();
     std::size_t number = 0;
@@ -76,7 +79,7 @@ public:
         break;
       if (!m_mesh.is_removed(f.face) && !m_operations.has_taken(f.face))
       {
-        const bool is_pulled = pull(f), is_contracted = !is_pulled && round < last_round_to_contract && contract(f, measured),
+        const bool is_pulled = pull(f), is_contracted = !is_pulled && may_contract(round) && contract(f, measured),
                    is_split = !is_pulled && !is_contracted && split(f);
         m_number_of_collapses += is_contracted;
         m_number_of_splits += is_split;
@@ -91,6 +94,8 @@ public:
   std::size_t number_of_splits() const { return m_number_of_splits; }
 
 private:
+  static bool may_contract(const int round) { return round < first_rounds_to_contract || round % round_to_contract == 0; }
+
   // Moves the corner that is nearest to the place by a part of the way from the face to the place.
   bool pull(const Failing_face& failing)
   {
