@@ -18,7 +18,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/sample_mesh.h>
 
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_placement.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_filter.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_cost.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_placement.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
@@ -73,7 +73,8 @@ Mesh adapted_ellipsoid()
   Mesh mesh = ellipsoid(5);
   SMS::edge_collapse(mesh, At_400_vertices(),
                      CGAL::parameters::get_cost(SMS::LindstromTurk_cost<Mesh>())
-                         .get_placement(SMS::Bounded_normal_change_placement<SMS::LindstromTurk_placement<Mesh>>()));
+                         .get_placement(SMS::LindstromTurk_placement<Mesh>())
+                         .filter(SMS::Bounded_normal_change_filter<>()));
   mesh.collect_garbage();
   return mesh;
 }

@@ -37,7 +37,7 @@
 
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Polygon_mesh_processing/repair.h>
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_placement.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_filter.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/GarlandHeckbert_plane_policies.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_cost.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_placement.h>
@@ -102,16 +102,18 @@ Mesh reduced(const Mesh& mesh, const std::string& how, const std::size_t part)
   if (how == "even")
     result = isotropically_remeshed(mesh, length_of_edges(mesh, mesh.number_of_faces() / part));
   else if (how == "Lindstrom-Turk")
-  {
-    SMS::Bounded_normal_change_placement<SMS::LindstromTurk_placement<Mesh>> placement;
-    SMS::edge_collapse(result, stop, CGAL::parameters::get_cost(SMS::LindstromTurk_cost<Mesh>()).get_placement(placement));
-  }
+    SMS::edge_collapse(result, stop,
+                       CGAL::parameters::get_cost(SMS::LindstromTurk_cost<Mesh>())
+                           .get_placement(SMS::LindstromTurk_placement<Mesh>())
+                           .filter(SMS::Bounded_normal_change_filter<>()));
   else
   {
     typedef SMS::GarlandHeckbert_plane_policies<Mesh, Kernel> Policies;
     const Policies policies(result);
-    const SMS::Bounded_normal_change_placement<Policies::Get_placement> placement(policies.get_placement());
-    SMS::edge_collapse(result, stop, CGAL::parameters::get_cost(policies.get_cost()).get_placement(placement));
+    SMS::edge_collapse(result, stop,
+                       CGAL::parameters::get_cost(policies.get_cost())
+                           .get_placement(policies.get_placement())
+                           .filter(SMS::Bounded_normal_change_filter<>()));
   }
   result.collect_garbage();
   return result;
