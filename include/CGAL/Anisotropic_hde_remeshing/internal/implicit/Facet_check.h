@@ -151,12 +151,7 @@ void add_places(const Facet_check& check, const std::vector<std::size_t>& number
     const std::vector<std::size_t> around = check.vertices(number);
     changed.insert(changed.end(), around.begin(), around.end());
     changed.push_back(sample.size());
-    sample.points.push_back(place.point);
-    sample.normals.push_back(place.normal);
-    sample.spacings.push_back(0);
-    if (!sample.is_on_edge.empty())
-      sample.is_on_edge.push_back(place.is_on_edge);
-    ++sample.number_of_points_on_facets;
+    sample.add_point_on_facet(place.point, place.normal, place.is_on_edge);
   }
   update_spacings<ConcurrencyTag>(sample, changed, interruption);
 }

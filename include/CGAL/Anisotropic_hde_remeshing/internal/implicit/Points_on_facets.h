@@ -236,12 +236,7 @@ void add_points_on_facets(Surface_sample& sample, const Facet_edges& edges, Inte
   {
     changed.insert(changed.end(), sample.facets[p.facet].begin(), sample.facets[p.facet].end());
     changed.push_back(sample.size());
-    sample.points.push_back(p.point);
-    sample.normals.push_back(p.normal);
-    sample.spacings.push_back(0);
-    if (!sample.is_on_edge.empty())
-      sample.is_on_edge.push_back(p.is_on_edge);
-    ++sample.number_of_points_on_facets;
+    sample.add_point_on_facet(p.point, p.normal, p.is_on_edge);
   }
   if (!changed.empty())
     update_spacings<ConcurrencyTag>(sample, changed, interruption);

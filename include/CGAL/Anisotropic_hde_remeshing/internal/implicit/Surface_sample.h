@@ -74,6 +74,17 @@ struct Surface_sample
 
   std::size_t size() const { return points.size(); }
 
+  // behind all others; its spacing is not known yet
+  void add_point_on_facet(const Vector& point, const Vector& normal, const bool lies_on_edge)
+  {
+    points.push_back(point);
+    normals.push_back(normal);
+    spacings.push_back(0);
+    if (!is_on_edge.empty())
+      is_on_edge.push_back(lies_on_edge);
+    ++number_of_points_on_facets;
+  }
+
   bool is_on_edge_of_surface(const std::size_t i) const { return !is_on_edge.empty() && is_on_edge[i] != 0; }
 
   // whether it has off-surface points
