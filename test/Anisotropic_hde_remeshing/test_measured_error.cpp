@@ -131,6 +131,26 @@ void test_samples_of_needles()
   CHECK(samples.size() <= points.size() + facets.size() + 2 * number);
 }
 
+// near points of a small area there are more samples, in proportion to it
+void test_samples_by_areas()
+{
+  const std::vector<Vector> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 0, 0}, {6, 0, 0}, {5, 1, 0}};
+  const std::vector<internal::Facet> facets{{0, 1, 2}, {3, 4, 5}};
+  for (const double ratio : {1., 16., 1000.})
+  {
+    const internal::Reference_samples samples(points, facets, {1, 1, 1, ratio, ratio, ratio}, 5000);
+    double small = 0, large = 0, area = 0;
+    for (std::size_t i = 0; i < samples.size(); ++i)
+    {
+      (samples[i].point[0] < 2 ? small : large) += 1;
+      area += samples[i].area;
+    }
+    CHECK(small + large >= 5000);
+    CHECK(small >= ratio / 2 * large && small <= 2 * ratio * (large + 1)); // parts are halved
+    CHECK_CLOSE(area, 1, 1e-5);
+  }
+}
+
 // --- results ---
 
 // By default the distance leads where few faces are asked for: it is less than by the embedding, at once in the mean and at most.
@@ -310,6 +330,7 @@ int main()
   test_closest_point();
   test_samples();
   test_samples_of_needles();
+  test_samples_by_areas();
   test_distance("bumpy sphere", bumpy_sphere(5), 1500, 1.5);
   test_distance("hills", hills(60), 800, 1.5);
   test_distance("block", l_block(16), 400, 5);

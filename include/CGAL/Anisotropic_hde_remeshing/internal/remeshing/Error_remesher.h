@@ -54,8 +54,9 @@ class Error_remesher
   typedef Sample_owners<ConcurrencyTag, Mesh> Owners;
   typedef typename Two_sided_check<ConcurrencyTag, Mesh>::Failing_face Failing_face;
 
-  // How many samples there are at least: so many for a face of the result, but fewer if they are more than enough in all.
-  static constexpr double samples_per_face = 30, least_samples_per_face = 8, enough_samples = 300000;
+  // How many samples there are at least: so many for a face of the result, but fewer if they are more than enough in all. Small
+  // faces have about as many as large ones. That is worth twice the number of samples that are spread evenly.
+  static constexpr double samples_per_face = 30, least_samples_per_face = 4, enough_samples = 150000;
   static constexpr double largest_number_of_samples = 1e9; // where this is many: their indices have 32 bits
   static constexpr double share_exchanged = 0.1;           // of the vertices, in a round
   static constexpr double share_of_coarsening = 0.3;       // of the progress that is told
@@ -90,7 +91,7 @@ public:
     if (m_interruption.ask())
       return;
     report_progress(0);
-    const Reference_samples samples(m_input.points(), m_input.facets(), number_of_samples());
+    const Reference_samples samples(m_input.points(), m_input.facets(), areas_around(new_vertices), number_of_samples());
     Owners owners(m_mesh, samples);
     owners.start([&](const Reference_sample& s) { return new_vertices[s.start]; });
     Tools tools(*this, owners);
@@ -128,6 +129,31 @@ private:
     const double n = double(m_mesh.number_of_faces());
     return (std::min)((std::max)(least_samples_per_face * n, (std::min)(samples_per_face * n, enough_samples)),
                       largest_number_of_samples);
+  }
+
+  // for each vertex the mean area of the faces around it, or a small one at least
+  std::vector<double> areas_around(const std::vector<Vertex_index>& vertices) const
+  {
+    static constexpr double least_share = 1e-4; // of the mean of all faces
+    double total = 0;
+    for (const Face_index f : m_mesh.faces())
+      total += face_normal(m_mesh.halfedge(f), m_mesh).norm();
+    const double least = least_share * total / double(m_mesh.number_of_faces());
+    std::vector<double> areas(vertices.size());
+    const auto mean_area = [&](const Vertex_index v)
+    {
+      double sum = 0;
+      std::size_t number = 0;
+      for (const Halfedge_index h : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
+        if (!m_mesh.is_border(h))
+        {
+          sum += face_normal(h, m_mesh).norm();
+          ++number;
+        }
+      return (std::max)(sum / double(number), least);
+    };
+    parallel_for<ConcurrencyTag>(vertices.size(), [&](const std::size_t i) { areas[i] = mean_area(vertices[i]); });
+    return areas;
   }
 
   bool keeps_error() const { return m_parameters.error > 0; }

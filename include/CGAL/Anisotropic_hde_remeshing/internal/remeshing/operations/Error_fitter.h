@@ -23,7 +23,6 @@
 #include <Eigen/Core>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -51,11 +50,20 @@ class Error_fitter
   static constexpr double smallest_cosine = 0.3, smallest_cosine_of_turn = 0.5;
   static constexpr double share_without_check = 0.5; // of the largest distance: below it nothing happens
 
-  // what a face adds to the normal equations: blocks of its corners, the pairs 00 11 22 01 12 20
+  // What a face adds to the normal equations: the blocks of the pairs 00 11 22 01 12 20 of its corners, and the right side of each
+  // corner, by columns. Of the symmetric blocks there are the entries xx yy zz xy yz zx.
   struct Face_system
   {
-    std::array<Matrix, 6> blocks;
-    std::array<Vector, 3> right;
+    Eigen::Matrix<double, 6, 6> blocks = Eigen::Matrix<double, 6, 6>::Zero();
+    Matrix right = Matrix::Zero();
+
+    Matrix block(const std::size_t k) const
+    {
+      const auto& b = blocks.col(Eigen::Index(k));
+      Matrix m;
+      m << b[0], b[3], b[5], b[3], b[1], b[4], b[5], b[4], b[2];
+      return m;
+    }
   };
 
 public:
@@ -113,10 +121,6 @@ private:
   Face_system system(const Face_index f) const
   {
     Face_system s;
-    for (Matrix& block : s.blocks)
-      block.setZero();
-    for (Vector& right : s.right)
-      right.setZero();
     const Space_triangle t = m_owners.triangle(f);
     m_owners.for_each(f,
                       [&](const std::uint32_t i)
@@ -155,14 +159,12 @@ private:
   // `way` is that from the point of the face with barycentric coordinates b to the reference
   static void add(const Vector& way, const Vector& normal, const double weight, const Vector& b, Face_system& s)
   {
-    const Matrix m = weight * (normal * normal.transpose() + tangential_weight * Matrix::Identity());
-    const Vector right = m * way;
-    for (int k = 0; k < 3; ++k)
-    {
-      s.blocks[std::size_t(k)] += b[k] * b[k] * m;
-      s.blocks[std::size_t(k) + 3] += b[k] * b[(k + 1) % 3] * m;
-      s.right[std::size_t(k)] += b[k] * right;
-    }
+    Eigen::Matrix<double, 6, 1> block, pairs;
+    block << normal.cwiseProduct(normal), normal[0] * normal[1], normal[1] * normal[2], normal[2] * normal[0];
+    block.template head<3>().array() += tangential_weight;
+    pairs << b.cwiseProduct(b), b[0] * b[1], b[1] * b[2], b[2] * b[0];
+    s.blocks.noalias() += weight * block * pairs.transpose();
+    s.right.noalias() += weight * (normal.dot(way) * normal + tangential_weight * way) * b.transpose();
   }
 
   void assemble(const std::size_t i)
@@ -179,13 +181,13 @@ private:
       // the edge has a face on each side
       for (const Halfedge_index side : {h, m_mesh.opposite(h)})
         if (!m_mesh.is_border(side))
-          block += m_systems[m_mesh.face(side)].blocks[3 + index_of_source(side)];
+          block += m_systems[m_mesh.face(side)].block(3 + index_of_source(side));
       m_blocks[place] = block;
       if (!m_mesh.is_border(h))
       {
         const std::size_t k = (index_of_source(h) + 1) % 3;
-        m_diagonal[i] += m_systems[m_mesh.face(h)].blocks[k];
-        m_right[i] += m_systems[m_mesh.face(h)].right[k];
+        m_diagonal[i] += m_systems[m_mesh.face(h)].block(k);
+        m_right[i] += m_systems[m_mesh.face(h)].right.col(Eigen::Index(k));
       }
       ++place;
     }

@@ -71,6 +71,14 @@ public:
   // edges that may be contracted, the cheapest by the quadrics first, at most `largest_number`
   std::vector<Edge_index> candidates(const std::size_t largest_number)
   {
+    m_quadrics_of_faces.resize(face_capacity(m_mesh));
+    parallel_for<ConcurrencyTag>(m_quadrics_of_faces.size(),
+                                 [&](const std::size_t i)
+                                 {
+                                   const Face_index f{std::uint32_t(i)};
+                                   if (!m_mesh.is_removed(f))
+                                     m_quadrics_of_faces[i] = quadric_of_samples(f);
+                                 });
     m_quadrics.resize(vertex_capacity(m_mesh));
     parallel_for<ConcurrencyTag>(m_quadrics.size(),
                                  [&](const std::size_t i)
@@ -117,19 +125,27 @@ private:
 
   bool is_bound(const Vertex_index v) const { return m_mesh.point(v).is_on_curve || m_mesh.point(v).is_fixed; }
 
+  // A third of it belongs to each corner.
+  Quadric quadric_of_samples(const Face_index f) const
+  {
+    Quadric result;
+    m_owners.for_each(f,
+                      [&](const std::uint32_t i)
+                      {
+                        const Reference_sample& s = m_owners.sample(i);
+                        const double weight = s.area / 3.;
+                        result += Quadric::of_plane(s.point - m_origin, s.normal.template cast<double>(), weight);
+                        result += Quadric::of_point(s.point - m_origin, 1e-4 * weight);
+                      });
+    return result;
+  }
+
   Quadric quadric(const Vertex_index v) const
   {
     Quadric result;
     for (const Halfedge_index h : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
       if (!m_mesh.is_border(h))
-        m_owners.for_each(m_mesh.face(h),
-                          [&](const std::uint32_t i)
-                          {
-                            const Reference_sample& s = m_owners.sample(i);
-                            const double weight = s.area / 3.;
-                            result += Quadric::of_plane(s.point - m_origin, s.normal.template cast<double>(), weight);
-                            result += Quadric::of_point(s.point - m_origin, 1e-4 * weight);
-                          });
+        result += m_quadrics_of_faces.empty() ? quadric_of_samples(m_mesh.face(h)) : m_quadrics_of_faces[m_mesh.face(h)];
     result += Quadric::of_point(m_mesh.point(v).point - m_origin, 1e-14);
     return result;
   }
@@ -175,8 +191,8 @@ private:
   const Mesh& m_mesh;
   const Owners& m_owners;
   const Shape_price& m_price;
-  const Vector m_origin;           // of the quadrics: far from it they would be inexact
-  std::vector<Quadric> m_quadrics; // by vertex, if all edges have been looked at
+  const Vector m_origin;                                // of the quadrics: far from it they would be inexact
+  std::vector<Quadric> m_quadrics_of_faces, m_quadrics; // by face and by vertex, if all edges have been looked at
 };
 
 } // namespace internal

@@ -43,50 +43,30 @@ class Reference_samples
   static constexpr double weight_of_corner = 1. / 12;
   static constexpr int largest_depth = 16;      // of cuts of a facet
   static constexpr double share_of_reach = 0.7; // of the longest edge of its part
+  static constexpr double longest_part = 3;     // over the root of its area
+
+  // of a facet
+  struct Part
+  {
+    Vector normal;
+    double area, largest_area;
+    std::size_t point; // of the facet
+  };
 
 public:
   // `smallest_number` is how many samples there shall be at least, spread evenly over the area
   Reference_samples(const std::vector<Vector>& points, const std::vector<Facet>& facets, const double smallest_number)
+    : Reference_samples(points, facets, std::vector<double>(points.size(), 1.), smallest_number)
   {
-    double area = 0;
-    for (const Facet& facet : facets)
-      area += normal(points, facet).norm() / 2;
-    if (!(area > 0))
-      return;
-    m_area = area;
-    m_largest_area = area / smallest_number;
-    m_largest_length = 3 * std::sqrt(m_largest_area);
-    // of needles there are only so many parts as of all others
-    double number_of_lengths = 0;
-    for (const Facet& facet : facets)
-      number_of_lengths += longest_side(points, facet) / m_largest_length;
-    m_largest_length *= (std::max)(1., number_of_lengths / smallest_number);
-    std::vector<Vector> normals(points.size(), Vector::Zero());
-    std::vector<double> areas(points.size(), 0.);
-    std::vector<float> reaches(points.size(), 0.f);
-    for (const Facet& facet : facets)
-    {
-      const Vector n = normal(points, facet) / 2;
-      const double facet_area = n.norm();
-      if (!(facet_area > 0))
-        continue;
-      const std::size_t first = m_samples.size();
-      const std::array<Vector, 3> corners{points[facet[0]], points[facet[1]], points[facet[2]]};
-      cut(corners, facet, n / facet_area, facet_area, 0);
-      const double part = facet_area / double(m_samples.size() - first);
-      for (std::size_t i = first; i < m_samples.size(); ++i)
-        m_samples[i].area = float((facet_area - 3 * weight_of_corner * part) / double(m_samples.size() - first) / area);
-      for (const std::size_t v : facet)
-      {
-        normals[v] += n;
-        areas[v] += weight_of_corner * part;
-        reaches[v] = (std::max)(reaches[v], m_samples[first].reach);
-      }
-    }
-    for (std::size_t v = 0; v < points.size(); ++v)
-      if (areas[v] > 0 && normals[v].norm() > 0)
-        m_samples.push_back(Reference_sample{points[v], normals[v].normalized().cast<float>(), float(areas[v] / area),
-                                             reaches[v], std::uint32_t(v)});
+  }
+
+  // The same, but near each point a sample stands for an area in proportion to that of the point.
+  Reference_samples(const std::vector<Vector>& points, const std::vector<Facet>& facets, const std::vector<double>& areas,
+                    const double smallest_number)
+  {
+    find_largest_parts(points, facets, areas, smallest_number);
+    if (m_area > 0)
+      add_samples(points, facets);
   }
 
   std::size_t size() const { return m_samples.size(); }
@@ -105,7 +85,61 @@ private:
                        (points[facet[0]] - points[facet[2]]).norm()});
   }
 
-  void cut(const std::array<Vector, 3>& corners, const Facet& facet, const Vector& normal, const double area, const int depth)
+  void find_largest_parts(const std::vector<Vector>& points, const std::vector<Facet>& facets, const std::vector<double>& areas,
+                          const double smallest_number)
+  {
+    double number = 0;
+    m_largest_areas.resize(facets.size());
+    for (std::size_t i = 0; i < facets.size(); ++i)
+    {
+      const Facet& facet = facets[i];
+      m_largest_areas[i] = (std::min)({areas[facet[0]], areas[facet[1]], areas[facet[2]]});
+      const double area = normal(points, facet).norm() / 2;
+      m_area += area;
+      number += area / m_largest_areas[i];
+    }
+    double number_of_lengths = 0;
+    for (std::size_t i = 0; i < facets.size(); ++i)
+    {
+      m_largest_areas[i] *= number / smallest_number;
+      number_of_lengths += longest_side(points, facets[i]) / (longest_part * std::sqrt(m_largest_areas[i]));
+    }
+    // of needles there are only so many parts as of all others
+    m_longest_part = longest_part * (std::max)(1., number_of_lengths / smallest_number);
+  }
+
+  void add_samples(const std::vector<Vector>& points, const std::vector<Facet>& facets)
+  {
+    std::vector<Vector> normals(points.size(), Vector::Zero());
+    std::vector<double> areas(points.size(), 0.);
+    std::vector<float> reaches(points.size(), 0.f);
+    for (std::size_t f = 0; f < facets.size(); ++f)
+    {
+      const Facet& facet = facets[f];
+      const Vector n = normal(points, facet) / 2;
+      const double area = n.norm();
+      if (!(area > 0))
+        continue;
+      const std::size_t first = m_samples.size();
+      const std::array<Vector, 3> corners{points[facet[0]], points[facet[1]], points[facet[2]]};
+      cut(corners, Part{n / area, area, m_largest_areas[f], facet[0]}, 0);
+      const double part = area / double(m_samples.size() - first);
+      for (std::size_t i = first; i < m_samples.size(); ++i)
+        m_samples[i].area = float((area - 3 * weight_of_corner * part) / double(m_samples.size() - first) / m_area);
+      for (const std::size_t v : facet)
+      {
+        normals[v] += n;
+        areas[v] += weight_of_corner * part;
+        reaches[v] = (std::max)(reaches[v], m_samples[first].reach);
+      }
+    }
+    for (std::size_t v = 0; v < points.size(); ++v)
+      if (areas[v] > 0 && normals[v].norm() > 0)
+        m_samples.push_back(Reference_sample{points[v], normals[v].normalized().cast<float>(), float(areas[v] / m_area),
+                                             reaches[v], std::uint32_t(v)});
+  }
+
+  void cut(const std::array<Vector, 3>& corners, const Part& part, const int depth)
   {
     std::size_t longest = 0;
     double length = 0;
@@ -115,23 +149,26 @@ private:
         length = (corners[(k + 1) % 3] - corners[k]).norm();
         longest = k;
       }
-    if (depth < largest_depth && (area > m_largest_area || length > m_largest_length))
+    if (depth < largest_depth && (part.area > part.largest_area || length > m_longest_part * std::sqrt(part.largest_area)))
     {
       const Vector middle = (corners[longest] + corners[(longest + 1) % 3]) / 2;
-      std::array<Vector, 3> part = corners;
-      part[(longest + 1) % 3] = middle;
-      cut(part, facet, normal, area / 2, depth + 1);
-      part = corners;
-      part[longest] = middle;
-      cut(part, facet, normal, area / 2, depth + 1);
+      const Part half{part.normal, part.area / 2, part.largest_area, part.point};
+      std::array<Vector, 3> half_corners = corners;
+      half_corners[(longest + 1) % 3] = middle;
+      cut(half_corners, half, depth + 1);
+      half_corners = corners;
+      half_corners[longest] = middle;
+      cut(half_corners, half, depth + 1);
       return;
     }
     const Vector p = (corners[0] + corners[1] + corners[2]) / 3;
-    m_samples.push_back(Reference_sample{p, normal.cast<float>(), 0, float(share_of_reach * length), std::uint32_t(facet[0])});
+    m_samples.push_back(
+        Reference_sample{p, part.normal.cast<float>(), 0, float(share_of_reach * length), std::uint32_t(part.point)});
   }
 
   double m_area = 0;
-  double m_largest_area = 0, m_largest_length = 0;
+  std::vector<double> m_largest_areas; // of the parts of each facet
+  double m_longest_part = 0;           // over the root of that area
   std::vector<Reference_sample> m_samples;
 };
 

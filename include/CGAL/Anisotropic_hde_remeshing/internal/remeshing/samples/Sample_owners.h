@@ -249,33 +249,60 @@ public:
   }
 
 private:
+  // The nodes of a triangle, and the sample nearest to each. This is the innermost loop: single precision, seen from a corner, no
+  // branches and a number that is a power of two let the compiler look at several nodes at once.
+  struct Searched_nodes
+  {
+    static constexpr std::size_t size = 8;
+
+    explicit Searched_nodes(const Space_triangle& t) : origin(t.a)
+    {
+      for (std::size_t k = 0; k < size; ++k)
+      {
+        const Vector p = t.point(node(k % number_of_nodes).barycentric) - origin;
+        x[k] = float(p[0]);
+        y[k] = float(p[1]);
+        z[k] = float(p[2]);
+      }
+      least.fill((std::numeric_limits<float>::infinity)());
+      nearest.fill(none);
+    }
+
+    void look_at(const std::uint32_t i, const Vector& point, const float factor)
+    {
+      const Eigen::Vector3f p = (point - origin).cast<float>();
+      std::array<float, size> squared_distances;
+      for (std::size_t k = 0; k < size; ++k)
+      {
+        const float dx = x[k] - p[0], dy = y[k] - p[1], dz = z[k] - p[2];
+        squared_distances[k] = factor * (dx * dx + dy * dy + dz * dz);
+      }
+      for (std::size_t k = 0; k < size; ++k)
+      {
+        const std::uint32_t is_nearer = 0u - std::uint32_t(squared_distances[k] < least[k]); // all bits
+        nearest[k] = (nearest[k] & ~is_nearer) | (i & is_nearer);
+      }
+      for (std::size_t k = 0; k < size; ++k)
+        least[k] = squared_distances[k] < least[k] ? squared_distances[k] : least[k];
+    }
+
+    const Vector origin;
+    std::array<float, size> x, y, z, least;
+    std::array<std::uint32_t, size> nearest;
+  };
+
   template <typename VisitSamples>
   void find_nearest(const Space_triangle& t, const VisitSamples& visit_samples, Nearest_samples& nearest) const
   {
     const Vector normal = t.normal();
-    std::array<Vector, number_of_nodes> points;
-    std::array<double, number_of_nodes> least;
-    for (std::size_t k = 0; k < number_of_nodes; ++k)
-    {
-      points[k] = t.point(node(k).barycentric);
-      least[k] = (std::numeric_limits<double>::infinity)();
-      nearest[k] = none;
-    }
+    Searched_nodes nodes(t);
     visit_samples(
         [&](const std::uint32_t i)
         {
           const Reference_sample& s = m_samples[i];
-          const double factor = normal.dot(s.normal.template cast<double>()) < 0 ? other_side : 1.;
-          for (std::size_t k = 0; k < number_of_nodes; ++k)
-          {
-            const double squared_distance = factor * (s.point - points[k]).squaredNorm();
-            if (squared_distance < least[k])
-            {
-              least[k] = squared_distance;
-              nearest[k] = i;
-            }
-          }
+          nodes.look_at(i, s.point, normal.dot(s.normal.template cast<double>()) < 0 ? float(other_side) : 1.f);
         });
+    std::copy_n(nodes.nearest.begin(), number_of_nodes, nearest.begin());
   }
 
   double squared_distance_of_node(const Space_triangle& t, const std::size_t k, const std::uint32_t nearest) const
