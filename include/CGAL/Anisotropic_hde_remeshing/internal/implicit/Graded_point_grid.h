@@ -27,11 +27,13 @@ namespace Anisotropic_hde_remeshing {
 namespace internal {
 
 // Points with sizes that vary gradually: whether one is near a place. There is a grid for each power of two. A point is in the grid
-// of its size, and a place looks into the grids of sizes like its own. Coordinates are below 1.
+// of its size, and a place looks into the grids of sizes like its own. The cells are wide, so that it looks into few of them in the
+// grids of smaller sizes. Coordinates are below 1.
 class Graded_point_grid
 {
   static constexpr int smallest_level = -50; // of which the cells are 1e-15
   static constexpr int levels_around = 2;
+  static constexpr int width_of_cells = 2; // by levels above that of the size
 
 public:
   void insert(const Vector& p, const double size)
@@ -81,7 +83,7 @@ private:
 
   static Cell cell(const Vector& p, const int level)
   {
-    const auto index = [&](const Eigen::Index k) { return std::int64_t(std::floor(std::ldexp(p[k], -level))); };
+    const auto index = [&](const Eigen::Index k) { return std::int64_t(std::floor(std::ldexp(p[k], -(level + width_of_cells)))); };
     return Cell{index(0), index(1), index(2)};
   }
 
