@@ -179,8 +179,8 @@ public:
       \cgalParamDefault{`true`, but without effect with `smoothing`}
     \cgalParamNEnd
     \cgalParamNBegin{detect_edges}
-      \cgalParamDescription{if `input` is a mesh: whether vertices at which facets turn by more than a radian across an edge have no
-                            off-surface points}
+      \cgalParamDescription{if `input` is a mesh: whether vertices at which facets turn by more than a radian across an edge, and
+                            those at tips of cones and spikes, have no off-surface points}
       \cgalParamType{Boolean}
       \cgalParamDefault{`true`, but without effect with `smoothing` or `vertex_normal_map`}
     \cgalParamNEnd

@@ -16,7 +16,9 @@
 #include "remeshing_checks.h"
 #include "shapes.h"
 
+#include <CGAL/Anisotropic_hde_remeshing/distance_measures.h>
 #include <CGAL/Anisotropic_hde_remeshing/quality_measures.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/anisotropic_hde_remeshing.h>
 
 #include <cmath>
@@ -100,8 +102,70 @@ void test_can(const std::size_t sides, const std::size_t wanted)
   CHECK(result.binding_target == (is_reached(mesh, wanted) ? Hde::Target::NUMBER_OF_FACES : Hde::Target::FEATURE_CURVES));
 }
 
+// closed, with its tip at (0, 0, height)
+Mesh cone(const std::size_t sides, const double height)
+{
+  Soup soup;
+  soup.points = {Point_3(0, 0, height), Point_3(0, 0, 0)};
+  for (std::size_t i = 0; i < sides; ++i)
+  {
+    const double angle = 2 * std::acos(-1.) * double(i) / double(sides);
+    soup.points.emplace_back(std::cos(angle), std::sin(angle), 0);
+    const std::size_t a = 2 + i, b = 2 + (i + 1) % sides;
+    soup.triangles.push_back({a, b, 0});
+    soup.triangles.push_back({b, a, 1});
+  }
+  return to_mesh(soup);
+}
+
+bool has_vertex(const Mesh& mesh, const Point_3& p)
+{
+  for (const auto v : mesh.vertices())
+    if (mesh.point(v) == p)
+      return true;
+  return false;
+}
+
+// The tip stays, with and without creases. With them the sides are straight: the mesh is off by less than its edges may cut off a
+// circle. Without them the rim is rounded.
+void test_cone(const std::size_t sides, const double height, const std::size_t wanted)
+{
+  const Mesh before = cone(sides, height);
+  const double length = std::sqrt(4 / std::sqrt(3.) * CGAL::Polygon_mesh_processing::area(before) / double(wanted));
+  Mesh smooth = before, sharp = before;
+  CGAL::anisotropic_hde_remeshing<Tag>(smooth, params::number_of_target_faces(wanted).relative_sigma(0.02));
+  CGAL::anisotropic_hde_remeshing<Tag>(sharp, params::number_of_target_faces(wanted).sharp_angle(30));
+  for (const Mesh* after : {&smooth, &sharp})
+  {
+    remeshing_checks::check_same_topology(before, *after);
+    CHECK(has_vertex(*after, Point_3(0, 0, height)));
+    const double distance = Hde::measure_distance<Tag>(*after, before).max();
+    std::cout << "cone of height " << height << ", " << wanted << " asked: " << distance / length << " edges off" << std::endl;
+    if (after == &sharp)
+      CHECK(distance < 0.6 * length);
+  }
+}
+
+// each vertex of an octahedron turns as much as a tip, but none more than its neighbours: it is a coarse sphere
+void test_coarse_sphere()
+{
+  Soup soup;
+  soup.points = {Point_3(1, 0, 0), Point_3(-1, 0, 0), Point_3(0, 1, 0), Point_3(0, -1, 0), Point_3(0, 0, 1), Point_3(0, 0, -1)};
+  soup.triangles = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+  Mesh mesh = to_mesh(soup);
+  CGAL::anisotropic_hde_remeshing<Tag>(mesh, params::number_of_target_faces(500).relative_sigma(0.02));
+  std::size_t number_kept = 0;
+  for (const Point_3& p : soup.points)
+    number_kept += has_vertex(mesh, p) ? 1 : 0;
+  CHECK(number_kept < 6);
+}
+
 int main()
 {
+  for (const double height : {1.2, 2., 4.})
+    for (const std::size_t wanted : {200, 400, 1000})
+      test_cone(48, height, wanted);
+  test_coarse_sphere();
   for (const std::size_t sides : {60, 200, 2000})
     for (const std::size_t wanted : {500, 4000})
     {

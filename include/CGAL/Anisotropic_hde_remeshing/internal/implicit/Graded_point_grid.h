@@ -83,7 +83,8 @@ private:
 
   static Cell cell(const Vector& p, const int level)
   {
-    const auto index = [&](const Eigen::Index k) { return std::int64_t(std::floor(std::ldexp(p[k], -(level + width_of_cells)))); };
+    const auto index = [&](const Eigen::Index k)
+    { return std::int64_t(std::floor(std::ldexp(p[k], -(level + width_of_cells)))); };
     return Cell{index(0), index(1), index(2)};
   }
 

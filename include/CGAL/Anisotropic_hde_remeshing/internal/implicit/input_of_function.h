@@ -18,6 +18,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Signed_distance.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Surface_sample.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/interpolation_parameters.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/mark_apexes.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/sample_mesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/sample_points.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Interruption.h>
@@ -140,7 +141,10 @@ std::shared_ptr<const Surface_sample> sample_input(const MeshOrPointRange& input
   {
     const Facet_edges edges(sample);
     if (interpolation.finds_edges)
+    {
       mark_edges(sample, edges);
+      mark_apexes(sample, edges);
+    }
     if (interpolation.uses_facets)
       add_points_on_facets<ConcurrencyTag>(sample, edges, interruption);
   }

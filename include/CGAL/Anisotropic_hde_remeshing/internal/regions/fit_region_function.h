@@ -18,7 +18,6 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/Region_facets.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/Region_function.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/Region_plane.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/regions/Uneven_region.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/split_regions.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -27,9 +26,7 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
-#include <optional>
 #include <stdexcept>
-#include <utility>
 
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
@@ -61,30 +58,6 @@ double share_of_missed_facets(const Field& field, const Region_mesh& region)
   return area > 0 ? missed / area : 0;
 }
 
-// The field of a region, and what share of the facets it misses. If the vertices are spread unevenly, the field is one of points
-// between them, too. If it misses facets, a field of the vertices alone is built as well. The patches of that field are checked,
-// and the facets answer where a patch fails. The field that misses less is returned.
-template <typename Field, typename NamedParameters>
-std::pair<Field, double> field_of(const Region_mesh& region, const NamedParameters& np)
-{
-  const auto points = Uneven_region(region).points();
-  std::optional<Field> of_points;
-  double missed_by_points = 1;
-  if (!points.empty())
-  {
-    of_points.emplace(points, np);
-    missed_by_points = share_of_missed_facets(*of_points, region);
-    if (missed_by_points == 0)
-      return std::make_pair(*of_points, 0.);
-  }
-  const Field of_vertices(region,
-                          np.vertex_point_map(get(vertex_point, region)).vertex_normal_map(internal_np::Param_not_found()));
-  const double missed_by_vertices = share_of_missed_facets(of_vertices, region);
-  if (of_points && !(missed_by_vertices < missed_by_points))
-    return std::make_pair(*of_points, missed_by_points);
-  return std::make_pair(of_vertices, missed_by_vertices);
-}
-
 // Fits the function of a region: a plane if all points are in one within `tolerance`, else a field, and the distance to the
 // facets where a field is not to be had. `np` has the parameters of the field.
 template <typename Field, typename NamedParameters>
@@ -100,9 +73,10 @@ Region_function<Field> fit_region_function(const Region_mesh& region, const doub
   {
     try
     {
-      const std::pair<Field, double> field_and_missed = field_of<Field>(region, np);
-      if (field_and_missed.second <= largest_share_of_missed_facets)
-        return Region_function<Field>(field_and_missed.first);
+      const Field field(region,
+                        np.vertex_point_map(get(vertex_point, region)).vertex_normal_map(internal_np::Param_not_found()));
+      if (share_of_missed_facets(field, region) <= largest_share_of_missed_facets)
+        return Region_function<Field>(field);
     }
     catch (const std::invalid_argument&) // parameters and points are checked already: no face has an area
     {

@@ -22,6 +22,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/curves/feature_curves.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/Mesh_intersections.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/Mesh_reorderer.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/fix_apexes.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/orient_normals.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/projection/Input_surface.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/projection/Surface_function.h>
@@ -78,6 +79,7 @@ Remeshing_report remesh(Working_mesh<typename Embedding::Vertex_data>& mesh, con
   if (parameters.number_of_iterations > 0)
     reorder_in_space<ConcurrencyTag>(mesh, interruption);
   const Curve_network curves = curve_network(mesh, function.is_piecewise(), input.diagonal());
+  fix_apexes(mesh);
   const Feature_curves curves_before = feature_curves(mesh);
   Projection projection(function, input);
   Remesher remesher(mesh, embedding, projection, curves, intersections, parameters, visitor);
