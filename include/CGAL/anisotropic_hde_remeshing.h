@@ -64,6 +64,11 @@ If constraints are given, some elements keep their descriptors: constrained vert
 above, and protected edges. If no constraints are given, all elements are replaced: descriptors become invalid, and isolated
 vertices are dropped.
 
+A `Surface_mesh` marks removed elements as garbage. After a call with constraints or for a range of faces, the elements that were
+replaced are garbage, as after \cgal's other functions, and descriptors are valid until the caller calls `collect_garbage()`. After
+a call that replaces all elements, there is no garbage. There is one exception: a mesh that had garbage before, and whose points or
+locations are in a map that it does not keep itself.
+
 \tparam ConcurrencyTag `Sequential_tag` (the default), `Parallel_tag` or `Parallel_if_available_tag`
 \tparam TriangleMesh a model of `FaceListGraph` and `MutableFaceGraph`
 \tparam Function a model of `ImplicitFunctionWithGradient` or of `PiecewiseImplicitFunction`. The first may be
@@ -206,7 +211,9 @@ vertices are dropped.
     \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_location_map}
-    \cgalParamDescription{is set to the closest point of the input for every vertex of the result; see
+    \cgalParamDescription{is set to the closest point of the input for every vertex of the result, also for those that are not
+                          remeshed, and if the mesh stays as it was. A vertex that stays comes from itself. An isolated one that
+                          stays comes from no face: `Anisotropic_hde_remeshing::Input_location::no_face`. See
                           `Anisotropic_hde_remeshing::transfer_vertex_property()`}
     \cgalParamType{a model of `WritablePropertyMap` with the vertices of `tmesh` as keys and
                    `Anisotropic_hde_remeshing::Input_location` as values}
@@ -299,7 +306,8 @@ Anisotropic_hde_remeshing::Remeshing_result anisotropic_hde_remeshing(TriangleMe
 \ingroup PkgAnisotropicHdeRemeshingRef
 
 remeshes some faces of a mesh only. All else is untouched and keeps its descriptors. So do the edges where it meets these faces.
-`number_of_target_faces` counts the faces of the range; relative lengths refer to the whole mesh.
+`number_of_target_faces` counts the faces of the range; relative lengths refer to the whole mesh. If the range is empty, nothing is
+done.
 
 \tparam FaceRange a range of `boost::graph_traits<TriangleMesh>::%face_descriptor`: anything that has a begin and an end, such
         as a container, `CGAL::Iterator_range`, or a span or view of C++20

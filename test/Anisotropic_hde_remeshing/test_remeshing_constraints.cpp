@@ -19,6 +19,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -166,9 +168,20 @@ void test_odd_face_ranges()
   }
   {
     Mesh mesh = input;
-    const std::vector<Mesh::Face_index> none;
-    CHECK(contains(invalid_argument_message([&] { CGAL::anisotropic_hde_remeshing<Tag>(none, mesh, Ellipsoid_function()); }),
-                   "no faces"));
+    const std::vector<Mesh::Face_index> none; // nothing is done, nor is a function built
+    struct Listener : Hde::Remeshing_visitor
+    {
+      std::size_t number_of_stages = 0;
+      void stage_started(Hde::Stage) { ++number_of_stages; }
+    } listener;
+    const std::uint64_t before = digest(mesh);
+    CHECK(CGAL::anisotropic_hde_remeshing<Tag>(none, mesh, Ellipsoid_function()).number_of_faces == 0);
+    CHECK(CGAL::anisotropic_hde_remeshing<Tag>(none, mesh, params::visitor(std::ref(listener))).number_of_faces == 0);
+    CHECK(digest(mesh) == before);
+    CHECK(listener.number_of_stages == 0);
+    CHECK(contains(invalid_argument_message(
+                       [&] { CGAL::anisotropic_hde_remeshing<Tag>(none, mesh, Ellipsoid_function(), params::sigma(-1)); }),
+                   "sigma is -1"));
   }
   {
     Mesh mesh = input;

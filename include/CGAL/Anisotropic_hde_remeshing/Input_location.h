@@ -13,6 +13,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
@@ -20,15 +21,24 @@ namespace Anisotropic_hde_remeshing {
 /*!
 \ingroup PkgAnisotropicHdeRemeshingRef
 
-where a vertex of the result of `CGAL::anisotropic_hde_remeshing()` comes from: the closest point of the mesh that was given
+where a vertex of the result of `CGAL::anisotropic_hde_remeshing()` comes from: the closest point of the mesh that was given. A
+vertex that was not touched comes from itself, a corner of one of its faces. Some vertices come from no face: isolated ones that
+were not touched, and the last corners of polygons that were not touched, as a location has three corners only. A location that
+nobody has written has no face, either.
 */
 struct Input_location
 {
-  /// the position of the face in the range `faces(tmesh)` before the call
-  std::size_t face = 0;
+  /// what `face` is if there is none
+  static constexpr std::size_t no_face = (std::numeric_limits<std::size_t>::max)();
+
+  /// the position of the face in the range `faces(tmesh)` before the call, or `no_face`
+  std::size_t face = no_face;
   /// the weights of the vertices of the face, not negative and of sum 1. The first is that of the vertex that comes first in
   /// `vertices(tmesh)`; the others follow along the face.
   std::array<double, 3> barycentric_coordinates{{1, 0, 0}};
+
+  /// whether the location is one: it has a face
+  bool has_face() const { return face != no_face; }
 };
 
 } // namespace Anisotropic_hde_remeshing

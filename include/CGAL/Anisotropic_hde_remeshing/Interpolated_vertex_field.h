@@ -14,6 +14,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Closest_facet.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/measures/Measured_mesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/parameter_types.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/type_traits.h>
 #include <CGAL/Anisotropic_hde_remeshing/parameters.h>
 
 #include <CGAL/boost/graph/properties.h>
@@ -90,7 +91,7 @@ private:
     data->facets = std::move(mesh.faces);
     for (const auto v : vertices(tmesh))
       if (halfedge(v, tmesh) != boost::graph_traits<TriangleMesh>::null_halfedge()) // as in `points`
-        data->values.push_back(to_double(get(values, v)));
+        data->values.push_back(to_double(internal::value_of(values, v)));
     if (data->closest_facet.empty())
       throw std::invalid_argument("the mesh has no face that is not degenerate, which a field needs");
     m_data = std::move(data);

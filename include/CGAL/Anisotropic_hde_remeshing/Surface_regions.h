@@ -13,6 +13,7 @@
 
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/check_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/parameter_types.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/type_traits.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/Face_directions.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/extend_darts.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/prune_creases.h>
@@ -144,7 +145,7 @@ void check_points(const TriangleMesh& tmesh, const VertexPointMap vpm)
   for (const auto v : vertices(tmesh))
   {
     if (halfedge(v, tmesh) != boost::graph_traits<TriangleMesh>::null_halfedge())
-      finite_vector(get(vpm, v), "point", index);
+      finite_vector(value_of(vpm, v), "point", index);
     ++index;
   }
 }

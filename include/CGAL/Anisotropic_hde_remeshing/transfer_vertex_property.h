@@ -14,10 +14,11 @@
 #include <CGAL/Anisotropic_hde_remeshing/Input_location.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/check_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/parameter_types.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/type_traits.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/first_halfedges.h>
 
 #include <CGAL/IO/Color.h>
 #include <CGAL/Origin.h>
-#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -25,10 +26,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
@@ -36,8 +37,9 @@ namespace Anisotropic_hde_remeshing {
 /*!
 \ingroup PkgAnisotropicHdeRemeshingRef
 
-The mean of three values with given weights. The weights are not negative and have the sum 1. The values are
-- numbers; the mean of integers is rounded to the nearest one;
+The mean of three values with given weights. The weights are not negative and have the sum 1. A value of weight 1 is the mean,
+bit by bit. The values are
+- numbers; the mean of integers is rounded to the nearest one, and that of `bool` is the value with more weight;
 - vectors and all other types that can be added, and be multiplied by a `double` from the right;
 - points;
 - arrays, whose components are interpolated one by one;
@@ -49,6 +51,9 @@ struct Linear_interpolation
   template <typename Value>
   Value operator()(const std::array<Value, 3>& values, const std::array<double, 3>& weights) const
   {
+    for (std::size_t k = 0; k < 3; ++k)
+      if (weights[k] == 1)
+        return values[k];
     if constexpr (std::is_integral<Value>::value)
       return Value(
           std::llround(weights[0] * double(values[0]) + weights[1] * double(values[1]) + weights[2] * double(values[2])));
@@ -90,26 +95,6 @@ private:
 
 namespace internal {
 
-// for each face the halfedge whose source comes first in the order of the vertices of the mesh
-template <typename Mesh>
-std::vector<typename boost::graph_traits<Mesh>::halfedge_descriptor> first_halfedges(const Mesh& mesh)
-{
-  const auto position = get(dynamic_vertex_property_t<std::size_t>(), mesh);
-  std::size_t next_position = 0;
-  for (const auto v : vertices(mesh))
-    put(position, v, next_position++);
-  std::vector<typename boost::graph_traits<Mesh>::halfedge_descriptor> result;
-  for (const auto f : faces(mesh))
-  {
-    auto first = halfedge(f, mesh);
-    for (const auto h : halfedges_around_face(halfedge(f, mesh), mesh))
-      if (get(position, source(h, mesh)) < get(position, source(first, mesh)))
-        first = h;
-    result.push_back(first);
-  }
-  return result;
-}
-
 // whether the maps are accepted; if not, an error of the compiler says what is wrong
 template <typename InputMesh, typename InputPropertyMap, typename OutputMesh, typename VertexLocationMap,
           typename OutputPropertyMap>
@@ -127,23 +112,40 @@ constexpr bool accepts_transfer()
   return has_input && has_locations && has_output;
 }
 
+// Throws std::invalid_argument if a vertex comes from no face of the input.
+template <typename OutputMesh, typename VertexLocationMap>
+void check_locations(const OutputMesh& output, const VertexLocationMap vertex_location, const std::size_t number_of_faces)
+{
+  std::size_t position = 0;
+  for (const auto v : vertices(output))
+  {
+    const Input_location location = get(vertex_location, v);
+    if (!location.has_face())
+      throw std::invalid_argument("vertex " + std::to_string(position) +
+                                  " of the output has no location: it is isolated, or vertex_location was not written for it");
+    if (location.face >= number_of_faces)
+      throw_invalid_argument("the face of the location of vertex " + std::to_string(position), location.face,
+                             "below the number of faces of the input, " + std::to_string(number_of_faces));
+    ++position;
+  }
+}
+
 template <typename InputMesh, typename InputPropertyMap, typename OutputMesh, typename VertexLocationMap,
           typename OutputPropertyMap, typename Interpolation>
 void transfer_vertex_values(const InputMesh& input, const InputPropertyMap input_property, const OutputMesh& output,
                             const VertexLocationMap vertex_location, OutputPropertyMap output_property,
                             const Interpolation& interpolation)
 {
-  typedef std::decay_t<decltype(get(input_property, *vertices(input).begin()))> Value;
+  typedef Value_of_map<InputPropertyMap, Vertex_of<InputMesh>> Value; // what `get` returns may be a proxy of it
   const auto first_halfedges = internal::first_halfedges(input);
+  check_locations(output, vertex_location, first_halfedges.size());
   for (const auto v : vertices(output))
   {
     const Input_location location = get(vertex_location, v);
-    if (location.face >= first_halfedges.size())
-      throw_invalid_argument("the face of a vertex location", location.face,
-                             "below the number of faces of the input, " + std::to_string(first_halfedges.size()));
     const auto h = first_halfedges[location.face];
-    const std::array<Value, 3> values{{get(input_property, source(h, input)), get(input_property, target(h, input)),
-                                       get(input_property, target(next(h, input), input))}};
+    const std::array<Value, 3> values{{Value(get(input_property, source(h, input))),
+                                       Value(get(input_property, target(h, input))),
+                                       Value(get(input_property, target(next(h, input), input)))}};
     put(output_property, v, interpolation(values, location.barycentric_coordinates));
   }
 }
@@ -172,7 +174,7 @@ this face, weighted by its barycentric coordinates. Discontinuities at vertices,
 \param output_property is told the values
 \param interpolation how three values are joined to one
 
-\throw std::invalid_argument if a location is on a face that `input` does not have
+\throw std::invalid_argument if a vertex has no location, or one on a face that `input` does not have; nothing is written then
 */
 template <typename InputMesh, typename InputPropertyMap, typename OutputMesh, typename VertexLocationMap,
           typename OutputPropertyMap, typename Interpolation = Linear_interpolation>

@@ -13,6 +13,7 @@
 
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Surface_sample.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Interruption.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/type_traits.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -97,7 +98,7 @@ Surface_sample sample_mesh(const TriangleMesh& tmesh, const VertexPointMap vpm, 
       continue;
     }
     put(new_index, v, sample.size());
-    sample.points.push_back(finite_vector(get(vpm, v), "point", this_index));
+    sample.points.push_back(finite_vector(value_of(vpm, v), "point", this_index));
     used.push_back(v);
     index_in_mesh.push_back(this_index);
   }
@@ -111,7 +112,7 @@ Surface_sample sample_mesh(const TriangleMesh& tmesh, const VertexPointMap vpm, 
     interruption.check();
     normal_and_spacing(used[i], tmesh, point_of, sample.normals[i], sample.spacings[i]);
     if constexpr (!std::is_same<VertexNormalMap, internal_np::Param_not_found>::value)
-      sample.normals[i] = unit_normal(get(vnm, used[i]), index_in_mesh[i]);
+      sample.normals[i] = unit_normal(value_of(vnm, used[i]), index_in_mesh[i]);
   }
   sample.facets = facets_of(tmesh, [&](const Vertex v) { return get(new_index, v); });
   merge_duplicate_points(sample);

@@ -60,8 +60,8 @@ Surface_sample sample_points(const PointRange& range, const PointMap point_map, 
                     [&](const auto& item)
                     {
                       interruption.check();
-                      sample.points.push_back(finite_vector(get(point_map, item), "point", index));
-                      sample.normals.push_back(unit_normal(get(normal_map, item), index));
+                      sample.points.push_back(finite_vector(value_of(point_map, item), "point", index));
+                      sample.normals.push_back(unit_normal(value_of(normal_map, item), index));
                       ++index;
                     });
   sample.normalization = normalize(sample.points);

@@ -125,7 +125,7 @@ private:
       }
       put(m_indices, v, m_result.points.size());
       const Vector point =
-          finite_vector(get(m_point_map, v), "point", this_position, (std::numeric_limits<double>::infinity)());
+          finite_vector(value_of(m_point_map, v), "point", this_position, (std::numeric_limits<double>::infinity)());
       const std::vector<Region> regions = regions_around(v);
       for (const Region region : regions)
       {
@@ -199,7 +199,7 @@ private:
       const Region r = region(f);
       m_result.faces.push_back({index(a, r), index(b, r), index(c, r)});
       m_result.face_regions.push_back(r);
-      m_result.is_degenerate.push_back(collinear(get(m_point_map, a), get(m_point_map, b), get(m_point_map, c)));
+      m_result.is_degenerate.push_back(collinear(value_of(m_point_map, a), value_of(m_point_map, b), value_of(m_point_map, c)));
     }
   }
 

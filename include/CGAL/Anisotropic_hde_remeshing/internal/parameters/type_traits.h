@@ -174,15 +174,30 @@ struct Is_writable : std::false_type
 {
 };
 template <typename Map, typename Key, typename Value>
-struct Is_writable<
-    Map, Key, Value,
-    std::void_t<std::enable_if_t<Takes_key<Map, Key>::value && Takes_value<Map, Value>::value>,
-                decltype(put(std::declval<const Map&>(), std::declval<const Key&>(), std::declval<const Value&>()))>>
+struct Is_writable<Map, Key, Value,
+                   std::void_t<std::enable_if_t<Takes_key<Map, Key>::value && Takes_value<Map, Value>::value>,
+                               decltype(put(std::declval<Map&>(), std::declval<const Key&>(), std::declval<const Value&>()))>>
   : std::true_type
 {
 };
 
 } // namespace property_maps
+
+// The value of a map for a key. What `get` returns may be a proxy of it, which has no coordinates and is no number.
+namespace property_maps {
+
+template <typename Map, typename Key>
+decltype(auto) value_of(const Map& map, const Key& key)
+{
+  typedef typename Value<Map, Key>::type Declared;
+  if constexpr (std::is_same<std::decay_t<decltype(get(map, key))>, Declared>::value)
+    return get(map, key);
+  else
+    return static_cast<Declared>(get(map, key));
+}
+
+} // namespace property_maps
+using property_maps::value_of;
 
 // the type of the values of a property map for a key; `property_maps::Nothing` if it is no map or takes other keys
 template <typename Map, typename Key>

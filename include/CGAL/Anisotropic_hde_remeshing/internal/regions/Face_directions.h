@@ -12,6 +12,7 @@
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
 #include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Vector.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/type_traits.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
@@ -62,7 +63,7 @@ public:
     lend_normals();
   }
 
-  Vector point(const Halfedge h) const { return to_vector(get(m_vpm, target(h, m_tmesh))); }
+  Vector point(const Halfedge h) const { return to_vector(value_of(m_vpm, target(h, m_tmesh))); }
 
   double length(const Edge e) const
   {
@@ -74,7 +75,7 @@ public:
   {
     Bbox_3 result;
     for (const auto v : vertices_around_face(halfedge(f, m_tmesh), m_tmesh))
-      result += get(m_vpm, v).bbox();
+      result += value_of(m_vpm, v).bbox();
     return result;
   }
 

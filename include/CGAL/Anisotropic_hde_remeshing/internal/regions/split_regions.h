@@ -14,6 +14,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Vector.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Interruption.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/check_parameters.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/type_traits.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/Disjoint_sets.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -102,7 +103,7 @@ std::vector<Region_mesh> split_regions(const FaceGraph& mesh, const VertexPointM
       Region_mesh::Vertex_index& v = new_vertices[same_vertex.find_set(get(corner, h))];
       if (v == Region_mesh::null_vertex())
       {
-        const Vector p = finite_vector(get(vpm, target(h, mesh)), "point", get(index, target(h, mesh)));
+        const Vector p = finite_vector(value_of(vpm, target(h, mesh)), "point", get(index, target(h, mesh)));
         v = region.add_vertex(Region_mesh::Point(p[0], p[1], p[2]));
       }
       face_vertices.push_back(v);

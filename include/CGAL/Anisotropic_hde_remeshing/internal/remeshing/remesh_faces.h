@@ -24,6 +24,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Visitor_reference.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/Mesh_intersections.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/load_obstacles.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/input_locations.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/Mesh_storer.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/load_mesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/projection/Input_surface.h>
@@ -78,30 +79,6 @@ auto intersections_parameter(const NamedParameters& np, const Mesh& mesh, const 
     return No_intersections();
 }
 
-// The locations on the input, by the vertices of the working mesh. All are on the first facet if no facet has a closest point.
-template <typename ConcurrencyTag, typename Mesh, typename TriangleMesh>
-std::vector<Input_location> locations_on_input(const Mesh& mesh, const Input_surface& input,
-                                               const Mesh_origin<TriangleMesh>& origin)
-{
-  std::vector<Input_location> result(vertex_capacity(mesh));
-  if (input.empty())
-    return result;
-  parallel_for<ConcurrencyTag>(
-      result.size(),
-      [&](const std::size_t i)
-      {
-        const Vertex_index v(static_cast<Vertex_index::size_type>(i));
-        if (mesh.is_removed(v))
-          return;
-        const Closest_facet::Answer closest = input.closest(mesh.point(v).point);
-        result[i].face = origin.face_positions[closest.facet];
-        for (int k = 0; k < 3; ++k)
-          result[i].barycentric_coordinates[std::size_t(k)] = closest.barycentric[k];
-      },
-      64);
-  return result;
-}
-
 // counts faces that are so long and thin that no one will like them
 template <typename Mesh>
 std::size_t number_of_needles(const Mesh& mesh)
@@ -138,7 +115,6 @@ Remeshing_result remesh_faces(const FaceRange& faces, TriangleMesh& tmesh, const
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  check_parameters(np);
   auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_property_map(vertex_point, tmesh));
   Remeshing_visitor nobody;
   Visitor_parameter<NamedParameters> visitor = visitor_parameter(np, nobody);
@@ -206,16 +182,21 @@ Remeshing_result remesh_faces(const FaceRange& faces, TriangleMesh& tmesh, const
     result.number_of_target_faces = std::size_t(parameters.target.number_of_faces());
   result.number_of_faces = mesh.number_of_faces();
   result.number_of_needles = number_of_needles(mesh);
-  std::vector<Input_location> locations;
-  if constexpr (is_given<NamedParameters, internal_np::vertex_location_map_t>)
-    locations = locations_on_input<ConcurrencyTag>(mesh, input, origin);
   const bool is_all_replaced = is_whole_mesh && !is_constrained<NamedParameters>;
+  std::vector<Input_location> locations;
+  Located_vertices<TriangleMesh> rest;
+  if constexpr (is_given<NamedParameters, internal_np::vertex_location_map_t>)
+  {
+    locations = locations_on_input<ConcurrencyTag>(mesh, input, origin);
+    if (!is_all_replaced)
+      rest = locations_of_rest(tmesh, origin.vertices);
+  }
   if (is_all_replaced)
     result.number_of_isolated_vertices = origin.number_of_isolated_vertices;
   const auto location_map = get_parameter(np, internal_np::vertex_location_map);
   Mesh_storer<ConcurrencyTag, Mesh, TriangleMesh, decltype(vpm), std::decay_t<decltype(constraints)>,
               std::decay_t<decltype(location_map)>>
-      store(mesh, origin, tmesh, vpm, constraints, location_map, locations);
+      store(mesh, origin, tmesh, vpm, constraints, location_map, locations, rest);
   store(is_all_replaced);
   result.output_seconds = timer.time();
   return result;

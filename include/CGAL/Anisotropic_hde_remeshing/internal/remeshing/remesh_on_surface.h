@@ -17,7 +17,9 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/parameter_types.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/type_traits.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/visitor_parameter.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/input_locations.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/remesh_faces.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/remeshing_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/parameters.h>
 #include <CGAL/Piecewise_rbf_implicit_function.h>
 #include <CGAL/Rbf_implicit_function.h>
@@ -75,6 +77,44 @@ constexpr bool accepts_faces_of(const Part_of_mesh<FaceRange>*)
   return accepts_faces<TriangleMesh, FaceRange>();
 }
 
+template <typename FaceRange>
+std::size_t number_of_faces_in(const FaceRange& faces)
+{
+  std::size_t number = 0;
+  for_each_of_range(faces, [&](const auto&) { ++number; });
+  return number;
+}
+
+// A mesh that stays as it was, as the remeshing was stopped or there is nothing to remesh: its vertices are where they were.
+template <typename TriangleMesh, typename NamedParameters>
+void locate_unchanged_vertices(const TriangleMesh& tmesh, const NamedParameters& np)
+{
+  if constexpr (is_given<NamedParameters, internal_np::vertex_location_map_t>)
+  {
+    auto location_map = parameters::get_parameter(np, internal_np::vertex_location_map);
+    for (const auto& located : locations_of_rest(tmesh, {}))
+      put(location_map, located.first, located.second);
+  }
+  else
+  {
+    (void)tmesh;
+    (void)np;
+  }
+}
+
+// Calls `remesh` with the faces, unless there are none of a part of a mesh: then nothing is to do.
+template <typename Faces, typename TriangleMesh, typename NamedParameters, typename Remesh>
+Remeshing_result remesh_any_faces(const Faces& faces, TriangleMesh& tmesh, const NamedParameters& np, const Remesh& remesh)
+{
+  check_parameters(np);
+  Remeshing_result result;
+  if (Faces::is_whole || number_of_faces_in(faces(tmesh)) > 0)
+    result = remesh(faces(tmesh));
+  if (result.number_of_faces == 0)
+    locate_unchanged_vertices(tmesh, np);
+  return result;
+}
+
 // remeshes on the zero set of the caller's function
 template <typename ConcurrencyTag, typename Faces, typename TriangleMesh, typename Function, typename NamedParameters>
 Remeshing_result remesh_on_surface(const Faces& faces, TriangleMesh& tmesh, const Function& function, const NamedParameters& np)
@@ -87,18 +127,13 @@ Remeshing_result remesh_on_surface(const Faces& faces, TriangleMesh& tmesh, cons
           static_assert(
               !is_given<NamedParameters, internal_np::sharp_angle_t>,
               "sharp_angle is for the function that is built here; a piecewise function comes with its face_patch_map");
-          return remesh_faces<ConcurrencyTag>(faces(tmesh), tmesh, function, Faces::is_whole, np,
-                                              crease_maps<Function, TriangleMesh>(np));
+          return remesh_any_faces(faces, tmesh, np,
+                                  [&](const auto& range) {
+                                    return remesh_faces<ConcurrencyTag>(range, tmesh, function, Faces::is_whole, np,
+                                                                        crease_maps<Function, TriangleMesh>(np));
+                                  });
         }
   return Remeshing_result();
-}
-
-template <typename FaceRange>
-std::size_t number_of_faces_in(const FaceRange& faces)
-{
-  std::size_t number = 0;
-  for_each_of_range(faces, [&](const auto&) { ++number; });
-  return number;
 }
 
 // Remeshes by measured error. No function is needed. With a sharp angle there are regions and creases.
@@ -135,7 +170,6 @@ Remeshing_result remesh_faces_on_built_surface(const FaceRange& faces, TriangleM
 
   typedef Simple_cartesian<double> Kernel;
 
-  check_parameters(np);
   if constexpr (leaves_embedding_and_function_open<NamedParameters>)
     if (is_by_measured_error(np, number_of_faces_in(faces)))
       return remesh_faces_by_error<ConcurrencyTag>(faces, tmesh, is_whole_mesh, np);
@@ -180,7 +214,9 @@ Remeshing_result remesh_on_built_surface(const Faces& faces, TriangleMesh& tmesh
   if constexpr (accepts_mesh_to_write<TriangleMesh>())
     if constexpr (accepts_faces_of<TriangleMesh>(static_cast<const Faces*>(nullptr)))
       if constexpr (accepts_parameters<Parameters_of_remeshing_without_function, TriangleMesh, NamedParameters>())
-        return remesh_faces_on_built_surface<ConcurrencyTag>(faces(tmesh), tmesh, Faces::is_whole, np);
+        return remesh_any_faces(faces, tmesh, np,
+                                [&](const auto& range)
+                                { return remesh_faces_on_built_surface<ConcurrencyTag>(range, tmesh, Faces::is_whole, np); });
   return Remeshing_result();
 }
 

@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/type_traits.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/Mesh_intersections.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/load_mesh.h>
 
@@ -41,7 +42,7 @@ Obstacles load_obstacles(const TriangleMesh& tmesh, const VertexPointMap vpm, co
   const auto set_corner = [&](Indexed_triangle& triangle, const std::size_t k, const Halfedge h)
   {
     triangle.vertices[k] = get(numbers, target(h, tmesh));
-    triangle.points[k] = finite_vector(get(vpm, target(h, tmesh)), "point", triangle.vertices[k]) / origin.unit;
+    triangle.points[k] = finite_vector(value_of(vpm, target(h, tmesh)), "point", triangle.vertices[k]) / origin.unit;
   };
   std::vector<char> is_remeshed(num_faces(tmesh), 0); // num_faces() may count removed faces, too
   for (const std::size_t position : origin.face_positions)

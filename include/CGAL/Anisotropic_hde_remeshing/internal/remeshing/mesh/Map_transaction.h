@@ -62,7 +62,7 @@ public:
   void commit() { m_old.clear(); }
 
 private:
-  void put_back(const std::pair<Key, Value>& old) const noexcept
+  void put_back(const std::pair<Key, Value>& old) noexcept
   {
     try
     {
@@ -73,7 +73,7 @@ private:
     }
   }
 
-  const Map m_map;
+  Map m_map; // not const: `put` of some maps takes no other
   std::vector<std::pair<Key, Value>> m_old;
 };
 

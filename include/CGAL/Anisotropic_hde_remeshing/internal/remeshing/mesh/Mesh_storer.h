@@ -52,22 +52,27 @@ class Mesh_storer
   typedef typename Graph_traits::face_descriptor Face;
   typedef typename boost::property_traits<VertexPointMap>::value_type Point;
   typedef std::decay_t<decltype(std::declval<const Constraints&>().edge_is_constrained)> Edge_is_constrained_map;
+  typedef std::decay_t<decltype(std::declval<const Constraints&>().face_patch)> Face_patch_map;
+  typedef std::vector<std::pair<Vertex, Input_location>> Located_vertices;
 
   template <typename Map, typename Key>
   static constexpr bool is_own_map = Is_own_map<TriangleMesh, Map, Key>::value;
   static constexpr bool has_locations = !std::is_same<LocationMap, internal_np::Param_not_found>::value;
 
 public:
-  // `locations` of the vertices of the working mesh
+  // `locations` of the vertices of the working mesh, and those of the vertices that have no part in the remeshing
   Mesh_storer(const Mesh& mesh, const Mesh_origin<TriangleMesh>& origin, TriangleMesh& tmesh, const VertexPointMap vpm,
-              const Constraints& constraints, const LocationMap location_map, const std::vector<Input_location>& locations)
+              const Constraints& constraints, const LocationMap location_map, const std::vector<Input_location>& locations,
+              const Located_vertices& locations_of_rest)
     : m_mesh(mesh),
       m_origin(origin),
       m_tmesh(tmesh),
       m_vpm(vpm),
-      m_constraints(constraints),
+      m_edge_is_constrained(constraints.edge_is_constrained),
+      m_face_patch(constraints.face_patch),
       m_location_map(location_map),
       m_locations(locations),
+      m_locations_of_rest(locations_of_rest),
       m_vertices(vertex_capacity(mesh)),
       m_halfedges(mesh.num_halfedges(), Graph_traits::null_halfedge())
   {
@@ -136,15 +141,14 @@ private:
     const New_points<Point, Mesh> points(m_mesh, m_origin.unit, m_new_vertices);
     for (std::size_t i = 0; i < added.vertices.size(); ++i)
       put(m_vpm, added.vertices[i], points[i]);
-    Map_transaction<Edge_is_constrained_map, Edge> written(m_constraints.edge_is_constrained);
+    Map_transaction<Edge_is_constrained_map, Edge> written(m_edge_is_constrained);
     if (!is_all_replaced)
     {
       for (std::size_t i = 0; i < added.edges.size(); ++i)
-        put(m_constraints.edge_is_constrained, added.edges[i],
-            m_mesh.is_on_curve(m_new_edges[i]) && !m_mesh.is_border(m_new_edges[i]));
+        put(m_edge_is_constrained, added.edges[i], m_mesh.is_on_curve(m_new_edges[i]) && !m_mesh.is_border(m_new_edges[i]));
       std::size_t i = 0;
       for (const Face_index f : m_mesh.faces())
-        put(m_constraints.face_patch, added.faces[i++], patches[m_mesh.input_face(f)]);
+        put(m_face_patch, added.faces[i++], patches[m_mesh.input_face(f)]);
       write_kept_edges(written);
     }
     if constexpr (has_locations)
@@ -154,19 +158,19 @@ private:
 
   // Marks the protected creases as constrained, because the caller may not have marked them. Edges on the border of the
   // remeshed faces are not touched.
-  void write_kept_edges(Map_transaction<Edge_is_constrained_map, Edge>& written) const
+  void write_kept_edges(Map_transaction<Edge_is_constrained_map, Edge>& written)
   {
     for (const Edge_index e : m_mesh.edges())
       if (is_untouchable(e) && !m_mesh.is_border(e))
       {
         const Edge kept = edge(m_halfedges[index(m_mesh.halfedge(e))], m_tmesh);
-        if (!get(m_constraints.edge_is_constrained, kept))
+        if (!get(m_edge_is_constrained, kept))
           written.write(kept, true);
       }
   }
 
   // Writes the property maps that the mesh does not keep itself. The keys are the numbers that the new vertices will have.
-  void write_foreign_maps(const New_points<Point, Mesh>& points, Map_transaction<VertexPointMap, Vertex>& written) const
+  void write_foreign_maps(const New_points<Point, Mesh>& points, Map_transaction<VertexPointMap, Vertex>& written)
   {
     if constexpr (!is_own_map<VertexPointMap, Vertex>)
       for (std::size_t i = 0; i < m_new_vertices.size(); ++i)
@@ -194,10 +198,12 @@ private:
       return is_own_map<VertexPointMap, Vertex> && is_own_map<LocationMap, Vertex>;
   }
 
-  void put_locations() const
+  void put_locations()
   {
     for (const Vertex_index v : m_mesh.vertices())
       put(m_location_map, m_vertices[v], m_locations[v]);
+    for (const auto& located : m_locations_of_rest)
+      put(m_location_map, located.first, located.second);
   }
 
   void set_vertices(const std::vector<Vertex>& added)
@@ -209,11 +215,11 @@ private:
   // The patches of the remeshed faces, by their numbers: their descriptors will be gone.
   auto patches_of_input(const bool is_all_replaced) const
   {
-    typedef Value_of_map<std::decay_t<decltype(m_constraints.face_patch)>, Face> Patch;
+    typedef Value_of_map<Face_patch_map, Face> Patch;
     std::vector<Patch> result;
     if (!is_all_replaced)
       for (const Face f : m_origin.faces)
-        result.push_back(get(m_constraints.face_patch, f));
+        result.push_back(get(m_face_patch, f));
     return result;
   }
 
@@ -407,10 +413,12 @@ private:
   const Mesh& m_mesh;
   const Mesh_origin<TriangleMesh>& m_origin;
   TriangleMesh& m_tmesh;
-  const VertexPointMap m_vpm;
-  const Constraints& m_constraints;
-  const LocationMap m_location_map;
+  VertexPointMap m_vpm; // maps to write are not const: `put` of some maps takes no other
+  Edge_is_constrained_map m_edge_is_constrained;
+  Face_patch_map m_face_patch;
+  LocationMap m_location_map;
   const std::vector<Input_location>& m_locations;
+  const Located_vertices& m_locations_of_rest;
   std::vector<Vertex> m_vertices;
   std::vector<Halfedge> m_halfedges;        // of the caller's mesh, by halfedges of the working mesh
   std::vector<Vertex_index> m_new_vertices; // elements that the caller's mesh does not have yet

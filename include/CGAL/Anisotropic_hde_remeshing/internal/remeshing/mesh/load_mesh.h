@@ -151,7 +151,7 @@ private:
         ++m_origin.number_of_isolated_vertices;
         continue;
       }
-      const Vector point = finite_vector(get(m_vpm, v), "point", this_position);
+      const Vector point = finite_vector(value_of(m_vpm, v), "point", this_position);
       low = low.cwiseMin(point);
       high = high.cwiseMax(point);
       for (const Halfedge h : halfedges_around_target(v, m_tmesh))
