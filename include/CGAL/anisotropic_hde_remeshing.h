@@ -106,7 +106,7 @@ locations are in a map that it does not keep itself.
   \cgalParamNEnd
   \cgalParamNBegin{target_edge_length}
     \cgalParamDescription{the length that the edges shall have in \f$ R^6 \f$, in the unit of the mesh}
-    \cgalParamType{a number, positive}
+    \cgalParamType{a number, positive, and so large that the mesh gets at most 500,000,000 faces}
     \cgalParamDefault{follows from `number_of_target_faces`}
   \cgalParamNEnd
   \cgalParamNBegin{relative_target_edge_length}
@@ -116,7 +116,7 @@ locations are in a map that it does not keep itself.
   \cgalParamNEnd
   \cgalParamNBegin{number_of_target_faces}
     \cgalParamDescription{how many faces the result shall have; excludes a target length}
-    \cgalParamType{an integer, at least 1}
+    \cgalParamType{an integer from 1 to 500,000,000}
     \cgalParamDefault{as many as it had}
   \cgalParamNEnd
   \cgalParamNBegin{approximation_error}

@@ -161,7 +161,16 @@ void test_invalid_parameters()
   CHECK(contains(message_of(mesh, number_of_target_faces(0)), "number_of_target_faces is 0"));
   CHECK(contains(message_of(mesh, number_of_target_faces(-5)), "number_of_target_faces is -5"));
   CHECK(contains(message_of(mesh, number_of_target_faces(1000000000)), "number_of_target_faces is 1000000000"));
-  CHECK(contains(message_of(mesh, target_edge_length(1e-9)), "target edge length is 1e-09"));
+  CHECK(contains(message_of(mesh, target_edge_length(1e-9)),
+                 "target edge length is 1e-9: it must be so large that the mesh has at most 5e8 faces, not about "));
+  // as people write numbers, and never as the bound that they miss
+  const std::string too_many = message_of(mesh, target_edge_length(1e-9));
+  CHECK(too_many.size() < 140 && too_many.find("e19") == too_many.size() - 3);
+  CHECK(contains(message_of(mesh, split_ratio(100.0000001)), "split_ratio is 100.0000001: it must be from 1 to 100"));
+  CHECK(contains(message_of(mesh, sigma(-1e-7)), "sigma is -1e-7:"));
+  CHECK(contains(message_of(mesh, sigma(-0.1)), "sigma is -0.1:"));
+  CHECK(contains(message_of(mesh, sigma(-0.1f)), "sigma is -0.1"));
+  CHECK(contains(message_of(mesh, number_of_iterations(2000000)), "number_of_iterations is 2000000:"));
   CHECK(contains(message_of(mesh, relative_target_edge_length(-1)), "relative_target_edge_length is -1"));
   CHECK(contains(message_of(mesh, relative_sigma(-1)), "relative_sigma is -1"));
   CHECK(contains(message_of(mesh, number_of_target_faces(std::size_t(-1))), "(-1 as an unsigned number)"));
@@ -235,6 +244,9 @@ void test_size_limits()
   CHECK_THROWS(internal::check_number_of_halfedges(6 * std::size_t(1000000000)), std::length_error);
   CHECK_NO_THROW(internal::check_number_of_fitted_faces(238e6));
   CHECK_THROWS(internal::check_number_of_fitted_faces(239e6), std::length_error);
+  CHECK(internal::text_of_number(1.5e-300) == "1.5e-300" && internal::text_of_number(-3e10) == "-3e10");
+  CHECK(internal::text_of_number(1. / 3) == "0.33333333333333331" && internal::text_of_number(0) == "0");
+  CHECK(internal::text_of_estimate(3124514100297397248.) == "3.1e18" && internal::text_of_estimate(523456.7) == "523457");
   // growing by the factor 4 from 5e8 faces ends before the indices do, and never below zero
   const double room = internal::room_for_splits(3 * std::size_t(500000000));
   CHECK(room > 4e8 && 3 * 5e8 + 6 * room <= double(internal::largest_number_of_halfedges));

@@ -46,7 +46,8 @@ struct Remeshing_visitor
   /// called once when `stage` begins
   void stage_started(Stage /* stage */) {}
 
-  /// called with the share done, from 0 to 1. The share never decreases within a call.
+  /// called with the share done, from 0 to 1. The share never decreases within a call. It is not called in
+  /// `Stage::IMPLICIT_FUNCTION`, whose end is not known before: there `go_further()` is the sign of life.
   void progress(double /* share */) {}
 
   /// asked between any two steps and, in the long ones, every few milliseconds. `false` ends the remeshing early. The mesh

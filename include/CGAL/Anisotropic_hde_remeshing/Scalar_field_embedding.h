@@ -130,8 +130,8 @@ public:
       for (int k = 0; k < dimension; ++k)
         vertex.values[k] = CGAL::to_double(result[std::size_t(k)]);
     if (!vertex.values.allFinite())
-      throw std::domain_error("the field is not finite at (" + std::to_string(p[0]) + ", " + std::to_string(p[1]) + ", " +
-                              std::to_string(p[2]) + ")");
+      throw std::domain_error("the field is not finite at (" + internal::text_of_number(p[0]) + ", " +
+                              internal::text_of_number(p[1]) + ", " + internal::text_of_number(p[2]) + ")");
   }
 
   /// evaluates the field

@@ -11,9 +11,10 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/text_of_number.h>
+
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -28,7 +29,12 @@ template <typename Value>
 [[noreturn]] void throw_invalid_argument(const std::string& name, const Value& value, const std::string& requirement)
 {
   std::ostringstream message;
-  message << name << " is " << value << ": it must be " << requirement;
+  message << name << " is ";
+  if constexpr (std::is_arithmetic<Value>::value)
+    message << text_of_number(value);
+  else
+    message << value;
+  message << ": it must be " << requirement;
   throw std::invalid_argument(message.str());
 }
 
@@ -49,24 +55,8 @@ inline double checked_not_negative(const std::string& name, const double value)
 inline double checked_between(const std::string& name, const double value, const double low, const double high)
 {
   if (!(value >= low && value <= high))
-  {
-    std::ostringstream range;
-    range << "from " << low << " to " << high;
-    throw_invalid_argument(name, value, range.str());
-  }
+    throw_invalid_argument(name, value, "from " + text_of_number(low) + " to " + text_of_number(high));
   return value;
-}
-
-// An unsigned number may come from a negative one. The text then has the negative one, too.
-template <typename Number>
-std::string text_of_number(const Number n)
-{
-  std::ostringstream text;
-  text << n;
-  if constexpr (std::is_unsigned<Number>::value && sizeof(Number) >= sizeof(int))
-    if (n > (std::numeric_limits<Number>::max)() / 2)
-      text << " (" << static_cast<std::make_signed_t<Number>>(n) << " as an unsigned number)";
-  return text.str();
 }
 
 // counts may come as signed integers or as doubles: a negative one must not wrap around
@@ -74,9 +64,9 @@ template <typename Count>
 std::size_t checked_count(const std::string& name, const Count value, const std::size_t largest = std::size_t(1) << 50)
 {
   if (!(value >= Count(1)))
-    throw_invalid_argument(name, text_of_number(value), "at least 1");
+    throw_invalid_argument(name, value, "at least 1");
   if (!(double(value) <= double(largest)))
-    throw_invalid_argument(name, text_of_number(value), "at most " + std::to_string(largest));
+    throw_invalid_argument(name, value, "at most " + text_of_number(largest));
   return std::size_t(value);
 }
 
@@ -87,7 +77,7 @@ unsigned int checked_repetitions(const std::string& name, const Count value)
   static constexpr double largest = 1e6;
   const double n = double(value);
   if (!(n >= 0 && n <= largest) || n != std::floor(n))
-    throw_invalid_argument(name, text_of_number(value), "an integer from 0 to 1000000");
+    throw_invalid_argument(name, value, "an integer from 0 to 1000000");
   return static_cast<unsigned int>(n);
 }
 

@@ -11,6 +11,8 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/text_of_number.h>
+
 #include <cstddef>
 #include <limits>
 #include <stdexcept>
@@ -52,7 +54,7 @@ inline void check_number_of_fitted_faces(const double number)
 {
   if (!(number <= double(largest_number_of_fitted_faces)))
     throw std::length_error("fit_to_surface is for at most " + std::to_string(largest_number_of_fitted_faces) + " faces, not " +
-                            std::to_string(number));
+                            text_of_number(number));
 }
 
 } // namespace internal

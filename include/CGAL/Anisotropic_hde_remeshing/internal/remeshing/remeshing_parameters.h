@@ -186,8 +186,8 @@ inline void check_number_of_faces(const Target_length& target)
 [[noreturn]] inline void throw_too_many_faces(const Too_many_faces& too_many, const double unit_of_lengths)
 {
   throw_invalid_argument("the target edge length", too_many.length * unit_of_lengths,
-                         "so large that the mesh has at most " + std::to_string(largest_number_of_faces) +
-                             " faces, not about " + std::to_string(too_many.number_of_faces));
+                         "so large that the mesh has at most " + text_of_number(double(largest_number_of_faces)) +
+                             " faces, not about " + text_of_estimate(too_many.number_of_faces));
 }
 
 // All parameters for a mesh in `unit`. `embedding` is in this unit, the diagonal in the caller's.
