@@ -202,6 +202,33 @@ locations are in a map that it does not keep itself.
     \cgalParamType{bool}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
+  \cgalParamNBegin{collapse_constraints}
+    \cgalParamDescription{whether boundary edges, constrained edges and edges between patches are contracted, along their polylines}
+    \cgalParamType{bool}
+    \cgalParamDefault{`true`}
+  \cgalParamNEnd
+  \cgalParamNBegin{relax_constraints}
+    \cgalParamDescription{whether the vertices of these edges are smoothed, along their polylines. By measured error they are not in
+                          any case.}
+    \cgalParamType{bool}
+    \cgalParamDefault{`true` (in `Polygon_mesh_processing::isotropic_remeshing()` it is `false`)}
+  \cgalParamNEnd
+  \cgalParamNBegin{do_split}
+    \cgalParamDescription{whether edges are split. If this or one of the next two is `false`, the number of faces or the error asked
+                          for may be out of reach, and the measured error does not lead.}
+    \cgalParamType{bool}
+    \cgalParamDefault{`true`}
+  \cgalParamNEnd
+  \cgalParamNBegin{do_collapse}
+    \cgalParamDescription{whether edges are contracted}
+    \cgalParamType{bool}
+    \cgalParamDefault{`true`}
+  \cgalParamNEnd
+  \cgalParamNBegin{do_flip}
+    \cgalParamDescription{whether edges are flipped}
+    \cgalParamType{bool}
+    \cgalParamDefault{`true`}
+  \cgalParamNEnd
   \cgalParamNBegin{do_self_intersection_tests}
     \cgalParamDescription{whether operations are refused that would let a face intersect any other face of `tmesh`. An operation
                           is not refused if one of the faces that it replaces did so already. So the result

@@ -95,6 +95,13 @@ void remeshing()
   remesh(vertex_is_constrained_map(of_edges)); // the named parameter vertex_is_constrained_map takes a property map from the vertices of the mesh to bool
   remesh(face_patch_map(3)); // the named parameter face_patch_map takes a readable and writable property map from the faces of the mesh
   remesh(protect_constraints(0.5)); // the named parameter protect_constraints takes a Boolean
+  remesh(collapse_constraints(0.5)); // the named parameter collapse_constraints takes a Boolean
+  remesh(relax_constraints("yes")); // the named parameter relax_constraints takes a Boolean
+  remesh(do_split(2.5)); // the named parameter do_split takes a Boolean
+  remesh(do_collapse(2.5)); // the named parameter do_collapse takes a Boolean
+  remesh(do_flip(2.5)); // the named parameter do_flip takes a Boolean
+  remesh(CGAL::parameters::do_project(false)); // the named parameter do_project is not for this function
+  remesh(CGAL::parameters::projection_functor(sphere)); // the named parameter projection_functor is not for this function
   remesh(do_self_intersection_tests("no")); // the named parameter do_self_intersection_tests takes a Boolean
   remesh(vertex_location_map(of_vertices)); // the named parameter vertex_location_map takes a writable property map from the vertices of the mesh to Input_location
   remesh(visitor(1.5)); // the named parameter visitor takes a model of RemeshingVisitor

@@ -178,6 +178,11 @@ struct Is_location_map : std::bool_constant<is_writable_map<T, Vertex_of<Graph>,
 {
 };
 
+template <typename, typename>
+struct Is_never_taken : std::false_type
+{
+};
+
 // A check of one parameter: its tag, its condition, and the condition in words.
 #define CGAL_AHR_TAKES(CHECK, TAG, CONDITION, WORDS)                                                                           \
   struct Takes_##CHECK                                                                                                         \
@@ -204,6 +209,9 @@ struct Is_location_map : std::bool_constant<is_writable_map<T, Vertex_of<Graph>,
 CGAL_AHR_TAKES(read_vertex_point_map, vertex_point_t, Is_vertex_point_map, "vertex_point_map takes a property map from the vertices of the mesh to points")
 CGAL_AHR_TAKES(read_edge_is_constrained_map, edge_is_constrained_t, Is_edge_boolean_map, "edge_is_constrained_map takes a property map from the edges of the mesh to bool")
 CGAL_AHR_TAKES(read_face_patch_map, face_patch_t, Is_face_map, "face_patch_map takes a property map from the faces of the mesh")
+// names of PMP's isotropic_remeshing that would be ignored
+CGAL_AHR_TAKES(do_project, do_project_t, Is_never_taken, "do_project is not for this function: the vertices are always put on the surface")
+CGAL_AHR_TAKES(projection_functor, projection_functor_t, Is_never_taken, "projection_functor is not for this function: give a function whose zero set is the surface")
 // clang-format on
 #undef CGAL_AHR_TAKES
 
@@ -296,6 +304,13 @@ struct Parameters_of_remeshing
            Takes_vertex_is_constrained_map::template accepts<NamedParameters, Subject>() &&
            Takes_face_patch_map::template accepts<NamedParameters, Subject>() &&
            Takes_protect_constraints::template accepts<NamedParameters, Subject>() &&
+           Takes_collapse_constraints::template accepts<NamedParameters, Subject>() &&
+           Takes_relax_constraints::template accepts<NamedParameters, Subject>() &&
+           Takes_do_split::template accepts<NamedParameters, Subject>() &&
+           Takes_do_collapse::template accepts<NamedParameters, Subject>() &&
+           Takes_do_flip::template accepts<NamedParameters, Subject>() &&
+           Takes_do_project::template accepts<NamedParameters, Subject>() &&
+           Takes_projection_functor::template accepts<NamedParameters, Subject>() &&
            Takes_do_self_intersection_tests::template accepts<NamedParameters, Subject>() &&
            Takes_vertex_location_map::template accepts<NamedParameters, Subject>() &&
            Takes_visitor::template accepts<NamedParameters, Subject>() &&

@@ -72,7 +72,7 @@ public:
       m_visitor(visitor),
       m_interruption(visitor.interruption()),
       m_guard(mesh, projection.function(), intersections),
-      m_operations(mesh, embedding, projection, curves, m_guard, m_interruption),
+      m_operations(mesh, embedding, projection, curves, m_guard, parameters.allowed, m_interruption),
       m_projector(mesh, embedding, projection, curves, m_guard),
       m_error(mesh, embedding, projection, m_guard, m_operations, m_projector, parameters.error,
               parameters.target.number_of_faces(), m_interruption),

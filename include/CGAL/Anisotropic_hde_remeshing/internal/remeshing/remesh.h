@@ -24,6 +24,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/Mesh_reorderer.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/fix_apexes.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/orient_normals.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/operations/Allowed_operations.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/projection/Input_surface.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/projection/Surface_function.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/projection/Surface_projection.h>
@@ -40,12 +41,13 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// the curves of the mesh; on creases they bound how far an edge may be from the input polyline
+// the curves of the mesh, and what the caller allows at them; on creases they bound how far an edge may be from the input polyline
 template <typename Mesh>
-Curve_network curve_network(Mesh& mesh, const bool is_piecewise, const double diagonal)
+Curve_network curve_network(Mesh& mesh, const bool is_piecewise, const double diagonal, const Allowed_operations& allowed)
 {
   static constexpr double largest_crease_deviation = 5e-5; // of the diagonal
   Curve_network curves(mesh);
+  curves.set_allowed(allowed.collapse_on_curves, allowed.smooth_on_curves);
   mesh.mark_creases();
   if (has_creases(mesh, is_piecewise))
     curves.set_largest_deviation(largest_crease_deviation * diagonal);
@@ -78,7 +80,7 @@ Remeshing_report remesh(Working_mesh<typename Embedding::Vertex_data>& mesh, con
   Interruption& interruption = visitor.interruption();
   if (parameters.number_of_iterations > 0)
     reorder_in_space<ConcurrencyTag>(mesh, interruption);
-  const Curve_network curves = curve_network(mesh, function.is_piecewise(), input.diagonal());
+  const Curve_network curves = curve_network(mesh, function.is_piecewise(), input.diagonal(), parameters.allowed);
   fix_apexes(mesh);
   const Feature_curves curves_before = feature_curves(mesh);
   Projection projection(function, input);

@@ -128,7 +128,7 @@ Remeshing_report remesh_by_error(Working_mesh<Normal_embedding::Vertex_data>& me
   timer.start();
   visitor.stage_started(Stage::PROJECTION);
   Remeshing_report report;
-  Curve_network curves = curve_network(mesh, is_piecewise, input.diagonal());
+  Curve_network curves = curve_network(mesh, is_piecewise, input.diagonal(), parameters.allowed);
   if (parameters.error > 0)
     curves.set_largest_deviation((std::min)(curves.largest_deviation(), share_of_error_at_curves * parameters.error));
   report.curves_before = feature_curves(mesh);

@@ -17,6 +17,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/check_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/parameter_types.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/size_limits.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/operations/Allowed_operations.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/targets/Metric_embedding.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/targets/Target_length.h>
 #include <CGAL/Anisotropic_hde_remeshing/parameters.h>
@@ -47,12 +48,28 @@ struct Remeshing_parameters
   double collapse_ratio = 0.8;
   double split_ratio = 4. / 3;
   bool fit_to_surface = false;
+  Allowed_operations allowed;
   double error = 0; // the largest distance to the surface; 0 if none is asked for
   Target_length target = Target_length::of_number_of_faces(0);
 };
 
 template <typename NamedParameters, typename Name>
 constexpr bool is_given = !parameters::is_default_parameter<NamedParameters, Name>::value;
+
+// what PMP's isotropic_remeshing is told by the same names
+template <typename NamedParameters>
+Allowed_operations allowed_operations(const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  Allowed_operations result;
+  result.split = choose_parameter(get_parameter(np, internal_np::do_split), true);
+  result.collapse = choose_parameter(get_parameter(np, internal_np::do_collapse), true);
+  result.flip = choose_parameter(get_parameter(np, internal_np::do_flip), true);
+  result.collapse_on_curves = choose_parameter(get_parameter(np, internal_np::collapse_constraints), true);
+  result.smooth_on_curves = choose_parameter(get_parameter(np, internal_np::relax_constraints), true);
+  return result;
+}
 
 // those that are no lengths
 template <typename NamedParameters>
@@ -83,6 +100,10 @@ Remeshing_parameters iteration_parameters(const NamedParameters& np)
   result.split_ratio =
       checked_between("split_ratio", choose_parameter(get_parameter(np, internal_np::split_ratio), result.split_ratio), 1, 100);
   result.fit_to_surface = choose_parameter(get_parameter(np, internal_np::fit_to_surface), false);
+  result.allowed = allowed_operations(np);
+  if (result.scheme == Remeshing_scheme::MEASURED_ERROR && !result.allowed.has_all_of_mesh())
+    throw_invalid_argument("remeshing_scheme", "MEASURED_ERROR",
+                           "another one, or not given, if do_split, do_collapse or do_flip is false");
   return result;
 }
 
@@ -245,6 +266,8 @@ inline bool is_by_measured_error(const Remeshing_scheme scheme, const double num
 template <typename NamedParameters>
 bool is_by_measured_error(const NamedParameters& np, const std::size_t number_of_faces)
 {
+  if (!allowed_operations(np).has_all_of_mesh())
+    return false;
   if constexpr (leaves_embedding_and_function_open<NamedParameters> && is_error_given<NamedParameters>)
     return keeps_measured_error(iteration_parameters(np).scheme);
   else if constexpr (leaves_embedding_and_function_open<NamedParameters>)

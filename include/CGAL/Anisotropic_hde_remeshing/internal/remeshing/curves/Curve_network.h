@@ -68,6 +68,15 @@ public:
     return (std::min)(m_curves[std::size_t(curve)].reach(arc_length), largest_reach_per_deviation * m_largest_deviation);
   }
 
+  // whether vertices of the curves may be removed, and whether they may be smoothed along them
+  void set_allowed(const bool collapse, const bool smooth)
+  {
+    m_may_collapse = collapse;
+    m_may_smooth = smooth;
+  }
+  bool may_collapse() const { return m_may_collapse; }
+  bool may_smooth() const { return m_may_smooth; }
+
   // bounds how far the polyline may be from an edge that stands for a part of it
   void set_largest_deviation(const double deviation) { m_largest_deviation = deviation; }
   double largest_deviation() const { return m_largest_deviation; }
@@ -243,6 +252,7 @@ private:
 
   std::vector<Curve> m_curves;
   double m_largest_deviation = (std::numeric_limits<double>::infinity)();
+  bool m_may_collapse = true, m_may_smooth = true;
 };
 
 } // namespace internal

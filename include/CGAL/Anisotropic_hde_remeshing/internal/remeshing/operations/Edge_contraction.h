@@ -152,7 +152,7 @@ private:
   // not leave its polyline. A boundary keeps at least three edges.
   bool may_shorten_curve(const Halfedge_index h) const
   {
-    if (!m_mesh.is_on_curve(m_mesh.edge(h)))
+    if (!m_mesh.is_on_curve(m_mesh.edge(h)) || !m_curves.may_collapse())
       return false;
     const Halfedge_index g = m_mesh.opposite(h);
     if (m_mesh.is_border(h) ? is_triangle(h) : m_mesh.is_on_curve(m_mesh.edge(m_mesh.prev(h))))

@@ -13,6 +13,7 @@
 
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Duration.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Interruption.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/operations/Allowed_operations.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/operations/Edge_collapser.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/operations/Edge_flipper.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/operations/Edge_splitter.h>
@@ -39,8 +40,9 @@ class Local_operations
 
 public:
   Local_operations(Mesh& mesh, const Embedding& embedding, const Projection& projection, const Curve_network& curves,
-                   const Guard& guard, Interruption& interruption)
-    : m_split(mesh, embedding, projection, curves, guard, interruption),
+                   const Guard& guard, const Allowed_operations& allowed, Interruption& interruption)
+    : m_allowed(allowed),
+      m_split(mesh, embedding, projection, curves, guard, interruption),
       m_collapse(mesh, embedding, curves, guard, interruption),
       m_flip(mesh, embedding, guard, interruption),
       m_smooth(mesh, embedding, projection, curves, guard, interruption)
@@ -51,6 +53,8 @@ public:
   template <typename... Arguments>
   std::size_t split(const Arguments&... arguments)
   {
+    if (!m_allowed.split)
+      return 0;
     const Duration duration(m_statistics.split_seconds);
     const std::size_t count = m_split(arguments...);
     m_statistics.number_of_splits += count;
@@ -60,6 +64,8 @@ public:
   template <typename... Arguments>
   std::size_t collapse(const Arguments&... arguments)
   {
+    if (!m_allowed.collapse)
+      return 0;
     const Duration duration(m_statistics.collapse_seconds);
     const std::size_t count = m_collapse(arguments...);
     m_statistics.number_of_collapses += count;
@@ -68,6 +74,8 @@ public:
 
   void flip(const Flip_criterion criterion)
   {
+    if (!m_allowed.flip)
+      return;
     const Duration duration(m_statistics.flip_seconds);
     m_statistics.number_of_flips += m_flip(criterion);
   }
@@ -81,6 +89,7 @@ public:
   const Operation_statistics& statistics() const { return m_statistics; }
 
 private:
+  const Allowed_operations m_allowed;
   const Edge_splitter<ConcurrencyTag, Embedding, Projection, Guard> m_split;
   const Edge_collapser<ConcurrencyTag, Embedding, Guard> m_collapse;
   const Edge_flipper<ConcurrencyTag, Embedding, Guard> m_flip;

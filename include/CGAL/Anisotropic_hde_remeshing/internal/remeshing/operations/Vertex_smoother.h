@@ -82,7 +82,7 @@ public:
     const std::vector<char> is_chosen = choose(ratio);
     m_moves.template propose<ConcurrencyTag>(
         [&](const Vertex_index v)
-        { return (is_chosen.empty() || is_chosen[v] || is_due(v, kind)) && !m_mesh.point(v).is_fixed; },
+        { return (is_chosen.empty() || is_chosen[v] || is_due(v, kind)) && is_movable(m_mesh.point(v)); },
         [&](const Vertex_index v, Vertex& state, typename Mesh::Sides& sides)
         { return state.is_on_curve ? slide(v, state, sides, shifts[v]) : move(v, state, kind); },
         m_interruption);
@@ -99,6 +99,8 @@ public:
   }
 
 private:
+  bool is_movable(const Vertex& v) const { return !v.is_fixed && (!v.is_on_curve || m_curves.may_smooth()); }
+
   // whether the vertex is to be projected even if it would not move
   bool is_due(const Vertex_index v, const Smoothing_step kind) const
   {
