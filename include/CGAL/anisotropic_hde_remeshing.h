@@ -294,6 +294,11 @@ Otherwise the surface is the smooth one that `Rbf_implicit_function` lays throug
 With `sharp_angle`, the surface is smooth between its creases only. `Anisotropic_hde_remeshing::detect_surface_regions()` finds
 the creases. The surface is that of `Piecewise_rbf_implicit_function`, and `vertex_normal_map` is not used.
 
+Without it, constrained edges and edges between patches are creases where their curves are sharp: edges at which faces turn by at
+least 40 degrees make up more than half of a curve from one branching to the next. If such creases separate regions of the surface,
+and `vertex_normal_map` is not given, the surface is that of `Piecewise_rbf_implicit_function` for these regions. On a smooth mesh,
+constrained edges and patches leave the surface smooth.
+
 \cgalNamedParamsBegin
   \cgalParamNBegin{sharp_angle}
     \cgalParamDescription{the least angle between the normals of two faces, in degrees, at which their edge is a crease. Noise
@@ -304,7 +309,7 @@ the creases. The surface is that of `Piecewise_rbf_implicit_function`, and `vert
                           machine parts 20 to 40 are good. (CGAL's parameter `sharpness_angle` is another one: the width, 0 to
                           90 degrees, of a weight for the normals of neighbouring points.)}
     \cgalParamType{a number of more than 0 and less than 180}
-    \cgalParamDefault{the surface is smooth everywhere}
+    \cgalParamDefault{the surface is smooth everywhere but at sharp curves of constrained edges or between patches}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 

@@ -17,6 +17,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/parameter_types.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/type_traits.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/visitor_parameter.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/regions/keep_sharp_curves.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/input_locations.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/remesh_faces.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/remeshing_parameters.h>
@@ -157,6 +158,37 @@ Remeshing_result remesh_faces_by_error(const FaceRange& faces, TriangleMesh& tme
                                         crease_maps<No_function, TriangleMesh>(np));
 }
 
+// Whether the caller may ask for creases: by an angle, or by constrained edges or patches. Normals of the caller's are one for each
+// vertex, so that the surface is smooth.
+template <typename NamedParameters>
+constexpr bool
+    may_have_creases = is_given<NamedParameters, internal_np::sharp_angle_t> ||
+                       (is_none_given<NamedParameters, internal_np::vertex_normal_map_t> &&
+                        !is_none_given<NamedParameters, internal_np::edge_is_constrained_t, internal_np::face_patch_t>);
+
+// Finds the creases and the regions between them. Without a sharp angle, creases are the curves of constrained edges and between
+// patches that are sharp. Returns whether there are creases that one smooth function would round.
+template <typename TriangleMesh, typename NamedParameters, typename EdgeIsCreaseMap, typename FaceRegionMap>
+bool find_creases(const TriangleMesh& tmesh, const NamedParameters& np, const EdgeIsCreaseMap edge_is_crease,
+                  const FaceRegionMap face_region)
+{
+  if constexpr (is_given<NamedParameters, internal_np::sharp_angle_t>)
+  {
+    detect_surface_regions(tmesh, edge_is_crease, face_region, np);
+    return true;
+  }
+  else
+  {
+    static constexpr double sharp_angle_of_constraints = 40; // degrees
+    const auto vpm = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                                  get_const_property_map(vertex_point, tmesh));
+    check_points(tmesh, vpm);
+    mark_edges_of_caller(tmesh, np, edge_is_crease);
+    return keep_sharp_curves(tmesh, vpm, sharp_angle_of_constraints, edge_is_crease) &&
+           number_regions(tmesh, edge_is_crease, face_region) > 1;
+  }
+}
+
 // Remeshes on the surface through the vertices of the whole mesh, whichever faces are remeshed. The surface is smooth, or
 // smooth between creases. The function computes in double even if the points of the mesh are exact.
 template <typename ConcurrencyTag, typename FaceRange, typename TriangleMesh, typename NamedParameters>
@@ -181,25 +213,29 @@ Remeshing_result remesh_faces_on_built_surface(const FaceRange& faces, TriangleM
   Remeshing_result result;
   try
   {
-    double seconds;
-    if constexpr (is_given<NamedParameters, internal_np::sharp_angle_t>)
+    const auto remesh_on = [&](const auto& function, const auto& creases)
+    {
+      const double seconds = timer.time();
+      result = remesh_faces<ConcurrencyTag>(faces, tmesh, function, is_whole_mesh, np, creases);
+      result.implicit_function_seconds = seconds;
+    };
+    if constexpr (may_have_creases<NamedParameters>)
     {
       const auto edge_is_crease = get(dynamic_edge_property_t<bool>(), tmesh);
       const auto face_region = get(dynamic_face_property_t<std::size_t>(), tmesh);
-      detect_surface_regions(tmesh, edge_is_crease, face_region, np);
-      const Piecewise_rbf_implicit_function<Kernel, Radial_function, ConcurrencyTag> function(tmesh, face_region, np);
-      seconds = timer.time();
       typedef Crease_maps<std::decay_t<decltype(edge_is_crease)>, std::decay_t<decltype(face_region)>> Creases;
-      result = remesh_faces<ConcurrencyTag>(faces, tmesh, function, is_whole_mesh, np, Creases{edge_is_crease, face_region});
+      if (find_creases(tmesh, np, edge_is_crease, face_region))
+      {
+        remesh_on(Piecewise_rbf_implicit_function<Kernel, Radial_function, ConcurrencyTag>(tmesh, face_region, np),
+                  Creases{edge_is_crease, face_region});
+        return result;
+      }
     }
-    else
+    if constexpr (!is_given<NamedParameters, internal_np::sharp_angle_t>)
     {
-      const Rbf_implicit_function<Kernel, Radial_function, ConcurrencyTag> function(tmesh, np);
-      seconds = timer.time();
-      result = remesh_faces<ConcurrencyTag>(faces, tmesh, function, is_whole_mesh, np,
-                                            crease_maps<decltype(function), TriangleMesh>(np));
+      typedef Rbf_implicit_function<Kernel, Radial_function, ConcurrencyTag> Function;
+      remesh_on(Function(tmesh, np), crease_maps<Function, TriangleMesh>(np));
     }
-    result.implicit_function_seconds = seconds;
   }
   catch (const Interrupted&)
   {
