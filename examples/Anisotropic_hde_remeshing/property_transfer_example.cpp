@@ -6,19 +6,22 @@
 //
 // Author(s)     : The Anisotropic_hde_remeshing developers
 
-// Brings along what the vertices of the input carry, here a temperature.
+// Brings along what the vertices and the faces of the input carry, here a temperature and a material.
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/generators.h>
 #include <CGAL/subdivision_method_3.h>
 
+#include <CGAL/Anisotropic_hde_remeshing/transfer_face_property.h>
 #include <CGAL/Anisotropic_hde_remeshing/transfer_vertex_property.h>
 #include <CGAL/anisotropic_hde_remeshing.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <iostream>
+#include <string>
 
 namespace Hde = CGAL::Anisotropic_hde_remeshing;
 namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
@@ -49,6 +52,10 @@ int main()
     temperature[v] = 20 + 5 * mesh.point(v).z();
   }
 
+  auto material = mesh.add_property_map<Mesh::Face_index, std::string>("f:material").first;
+  for (const Mesh::Face_index f : mesh.faces())
+    material[f] = mesh.point(mesh.target(mesh.halfedge(f))).z() > 0 ? "iron" : "tin";
+
   // a copy is remeshed, and told for each new vertex where on the input it lies
   Mesh output = mesh;
   auto location = output.add_property_map<Mesh::Vertex_index, Hde::Input_location>("v:location").first;
@@ -56,10 +63,16 @@ int main()
 
   auto output_temperature = output.add_property_map<Mesh::Vertex_index, double>("v:new_temperature", 0).first;
   Hde::transfer_vertex_property(mesh, temperature, output, location, output_temperature);
+  auto output_material = output.add_property_map<Mesh::Face_index, std::string>("f:new_material").first;
+  Hde::transfer_face_property(mesh, material, output, output_material);
 
   double largest = 0;
   for (const Mesh::Vertex_index v : output.vertices())
     largest = (std::max)(largest, std::abs(output_temperature[v] - (20 + 5 * output.point(v).z())));
-  std::cout << output.number_of_vertices() << " vertices; their temperatures are off by " << largest << " at most" << std::endl;
+  std::size_t number_of_iron = 0;
+  for (const Mesh::Face_index f : output.faces())
+    number_of_iron += output_material[f] == "iron" ? 1 : 0;
+  std::cout << output.number_of_vertices() << " vertices; their temperatures are off by " << largest << " at most; "
+            << number_of_iron << " of " << output.number_of_faces() << " faces are of iron" << std::endl;
   return largest < 0.05 ? 0 : 1;
 }

@@ -93,6 +93,23 @@ private:
   };
 };
 
+/*!
+\ingroup PkgAnisotropicHdeRemeshingRef
+
+The value of the largest weight of three: that of the nearest vertex of the face, in barycentric coordinates. It is for labels, which
+must not be interpolated. If weights are equal, the value that comes first is taken.
+*/
+struct Nearest_value
+{
+  /// \tparam Value any type that can be copied
+  template <typename Value>
+  Value operator()(const std::array<Value, 3>& values, const std::array<double, 3>& weights) const
+  {
+    const std::size_t k = weights[1] > weights[0] ? 1 : 0;
+    return values[weights[2] > weights[k] ? 2 : k];
+  }
+};
+
 namespace internal {
 
 // whether the maps are accepted; if not, an error of the compiler says what is wrong
@@ -164,7 +181,7 @@ this face, weighted by its barycentric coordinates. Discontinuities at vertices,
 \tparam OutputMesh a model of `VertexListGraph`
 \tparam VertexLocationMap a model of `ReadablePropertyMap` with the vertices of `output` as keys and `Input_location` as values
 \tparam OutputPropertyMap a model of `WritablePropertyMap` with the vertices of `output` as keys
-\tparam Interpolation a functor like `Linear_interpolation`
+\tparam Interpolation a functor like `Linear_interpolation` or `Nearest_value`
 
 \param input a copy of the mesh that was given to `CGAL::anisotropic_hde_remeshing()`, made before the call. Its vertices and
        faces must be in the same order. The copy constructor keeps the order, `CGAL::copy_face_graph()` does not.
@@ -172,7 +189,7 @@ this face, weighted by its barycentric coordinates. Discontinuities at vertices,
 \param output the result
 \param vertex_location the map that was given by the name `vertex_location_map`
 \param output_property is told the values
-\param interpolation how three values are joined to one
+\param interpolation how three values are joined to one: `Nearest_value()` for labels
 
 \throw std::invalid_argument if a vertex has no location, or one on a face that `input` does not have; nothing is written then
 */

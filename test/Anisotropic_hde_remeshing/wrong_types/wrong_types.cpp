@@ -16,6 +16,8 @@
 #include <CGAL/Anisotropic_hde_remeshing/approximation_bounds.h>
 #include <CGAL/Anisotropic_hde_remeshing/distance_measures.h>
 #include <CGAL/Anisotropic_hde_remeshing/quality_measures.h>
+#include <CGAL/Anisotropic_hde_remeshing/transfer_edge_property.h>
+#include <CGAL/Anisotropic_hde_remeshing/transfer_face_property.h>
 #include <CGAL/Anisotropic_hde_remeshing/transfer_vertex_property.h>
 #include <CGAL/Anisotropic_hde_remeshing/zero_set_measures.h>
 #include <CGAL/Simple_cartesian.h>
@@ -164,5 +166,7 @@ void measures()
   Hde::measure_distance_to_zero_set(mesh, sphere, number_of_points_on_faces(mesh)); // the named parameter number_of_points_on_faces takes an integer
   Hde::Interpolated_vertex_field field(mesh, of_edges); // values must be a property map from the vertices of the mesh to numbers
   Hde::transfer_vertex_property(mesh, of_vertices, mesh, of_vertices, of_vertices); // vertex_location must be a property map from the vertices of the output to Input_location
+  Hde::transfer_face_property(mesh, of_vertices, mesh, of_faces); // input_property must be a property map with the faces of the input as keys
+  Hde::transfer_edge_property(mesh, of_edges, of_edges, mesh, of_faces, of_edges); // input_is_marked and output_is_marked must be property maps from the edges of the meshes to bool
 }
 // clang-format on
