@@ -98,6 +98,10 @@ public:
     typedef typename GeomTraits::Vector_3 Vector_3;
     typedef Point_3 Point; ///< as the concept `ImplicitFunction` calls it
 
+    // a move would leave a piece without data
+    Piece(const Piece&) = default;
+    Piece& operator=(const Piece&) = default;
+
     /// what it is
     Anisotropic_hde_remeshing::Piece_kind kind() const { return m_function.kind(); }
 
@@ -186,6 +190,10 @@ public:
     if constexpr (accepts<TriangleMesh, FaceRegionMap, NamedParameters>())
       build(tmesh, face_region, np);
   }
+
+  // a move would leave a function without pieces
+  Piecewise_rbf_implicit_function(const Piecewise_rbf_implicit_function&) = default;
+  Piecewise_rbf_implicit_function& operator=(const Piecewise_rbf_implicit_function&) = default;
 
   /// the number of regions
   std::size_t number_of_pieces() const { return m_data->pieces.size(); }

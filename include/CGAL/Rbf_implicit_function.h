@@ -84,7 +84,7 @@ than a twentieth of its checks, where sampling is too coarse for the shape. Ther
 with a gradient along the interpolated normals of the input, blended with the neighbouring patches. `diagnostics()` counts these
 patches.
 
-Copies are cheap: they share the data, which never change. All members are thread-safe. The function does not depend on the
+Copies are cheap: they share the data, which never change. A function that is moved is copied: it can still be used. All members are thread-safe. The function does not depend on the
 number of threads that built it.
 
 The construction takes time linear in the number of points, and cubic in the number of points of a patch. The time of an
@@ -207,6 +207,10 @@ public:
                                                                                  NamedParameters>())
       build(input, np);
   }
+
+  // a move would leave a function without data
+  Rbf_implicit_function(const Rbf_implicit_function&) = default;
+  Rbf_implicit_function& operator=(const Rbf_implicit_function&) = default;
 
   /*!
   the value at `p`, in the unit of the coordinates

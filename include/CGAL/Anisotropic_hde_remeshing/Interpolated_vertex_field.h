@@ -62,6 +62,10 @@ public:
     }
   }
 
+  // a move would leave a field without data
+  Interpolated_vertex_field(const Interpolated_vertex_field&) = default;
+  Interpolated_vertex_field& operator=(const Interpolated_vertex_field&) = default;
+
   template <typename Point>
   double operator()(const Point& p) const
   {

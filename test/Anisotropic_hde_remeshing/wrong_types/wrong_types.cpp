@@ -15,6 +15,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/alignment_measures.h>
 #include <CGAL/Anisotropic_hde_remeshing/approximation_bounds.h>
 #include <CGAL/Anisotropic_hde_remeshing/distance_measures.h>
+#include <CGAL/Anisotropic_hde_remeshing/make_implicit_function.h>
 #include <CGAL/Anisotropic_hde_remeshing/quality_measures.h>
 #include <CGAL/Anisotropic_hde_remeshing/transfer_edge_property.h>
 #include <CGAL/Anisotropic_hde_remeshing/transfer_face_property.h>
@@ -42,6 +43,8 @@ struct Sphere_function
   double operator()(const Point_3& p) const { return p.x() * p.x() + p.y() * p.y() + p.z() * p.z() - 1; }
   Kernel::Vector_3 gradient(const Point_3& p) const { return 2 * (p - CGAL::ORIGIN); }
 };
+
+double value_of_sphere(const Point_3& p) { return Sphere_function()(p); }
 
 struct Without_gradient
 {
@@ -151,6 +154,11 @@ void functions()
   Hde::detect_surface_regions(mesh, of_edges, of_faces, geom_traits(2)); // the named parameter geom_traits takes a kernel
   Hde::detect_surface_regions(mesh, of_faces, of_faces); // edge_is_crease must be a writable property map from the edges of the mesh to bool
   Hde::detect_surface_regions(mesh, of_edges, of_vertices); // face_region must be a writable property map from the faces of the mesh to std::size_t
+  Hde::make_implicit_function([](const auto& p) { return p.x(); }); // the function must take one point of a kernel by a call operator that is const and no template
+  Hde::make_implicit_function([n = 0](const Point_3& p) mutable { return p.x() + ++n; }); // the function must take one point of a kernel by a call operator that is const and no template
+  Hde::make_implicit_function<Kernel>([](const std::string&) { return 1.; }); // the function must take a point of the kernel and be callable when const
+  Hde::make_implicit_function([](const Point_3& p) { return p; }); // the function must return a number
+  Hde::make_implicit_function(&value_of_sphere, [](const Point_3& p) { return p.x(); }); // the gradient must take a point of the kernel and return a vector of it
   Hde::scalar_field_embedding<Point_3>(1, 1, 3); // the field must be a function object that takes a point
 }
 

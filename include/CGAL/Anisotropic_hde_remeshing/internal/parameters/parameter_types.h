@@ -386,8 +386,10 @@ template <typename Function>
 constexpr bool accepts_function()
 {
   constexpr bool is_function = is_implicit_function<Function>;
-  static_assert(is_function, "the function must be a model of ImplicitFunctionWithGradient, with Point_3, operator()(Point_3) "
-                             "const and gradient(Point_3) const, or of PiecewiseImplicitFunction");
+  static_assert(is_function,
+                "the function must be a model of ImplicitFunctionWithGradient, with Point_3, operator()(Point_3) "
+                "const and gradient(Point_3) const, or of PiecewiseImplicitFunction; make_implicit_function() makes one "
+                "of a lambda");
   return is_function;
 }
 
