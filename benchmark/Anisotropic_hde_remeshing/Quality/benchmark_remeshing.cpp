@@ -115,7 +115,7 @@ void print_figures(const Mesh& input, const Mesh& mesh, const std::size_t wanted
             << " valence_6=" << after.valence_6_share << " splits=" << result.number_of_splits
             << " collapses=" << result.number_of_collapses << " flips=" << result.number_of_flips
             << " projections=" << result.projections.newton << "/" << result.projections.bisection << "/"
-            << result.projections.closest_point;
+            << result.projections.descent << "/" << result.projections.closest_point;
 }
 
 template <typename Function>

@@ -195,7 +195,8 @@ private:
   void print_projections(const Hde::Remeshing_result& result)
   {
     m_stream << "projections: " << result.projections.newton << " by Newton's method, " << result.projections.bisection
-             << " by bisection, " << result.projections.closest_point << " by the closest point of the input\n";
+             << " by bisection, " << result.projections.descent << " by descent, " << result.projections.closest_point
+             << " by the closest point of the input\n";
     if (result.number_of_unprojected_vertices > 0)
       m_stream << result.number_of_unprojected_vertices
                << " vertices are not on the surface: no way leads there, or the last one would fold a face or make it "

@@ -153,6 +153,7 @@ Json to_json(const Hde::Remeshing_result& result)
           {"flips", result.number_of_flips},
           {"projections_newton", result.projections.newton},
           {"projections_bisection", result.projections.bisection},
+          {"projections_descent", result.projections.descent},
           {"projections_closest_point", result.projections.closest_point},
           {"unprojected_vertices", result.number_of_unprojected_vertices},
           {"needles", result.number_of_needles}};

@@ -26,6 +26,7 @@ struct Projection_counters
 {
   std::size_t newton = 0;        ///< Newton's method along the gradient
   std::size_t bisection = 0;     ///< a bracket along the first gradient, halved
+  std::size_t descent = 0;       ///< small steps along the gradient, where the mesh given is coarse and far from the zero set
   std::size_t closest_point = 0; ///< the closest point of the input with its interpolated normal
 };
 

@@ -14,6 +14,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Closest_facet.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/Working_mesh.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -54,6 +55,18 @@ public:
 
   // requires that it is not empty
   Closest_facet::Answer closest(const Vector& p) const { return m_closest_facet(p); }
+
+  // the longest side of the closest facet; 0 if there is none
+  double size_of_closest_facet(const Vector& p) const
+  {
+    if (m_closest_facet.empty())
+      return 0;
+    const Facet& facet = m_facets[m_closest_facet(p).facet];
+    double longest = 0;
+    for (int k = 0; k < 3; ++k)
+      longest = (std::max)(longest, (m_points[facet[std::size_t(k)]] - m_points[facet[std::size_t((k + 1) % 3)]]).norm());
+    return longest;
+  }
 
   // moves `state` to the closest point of the facets and gives it the normal interpolated there
   void project(Vertex_state& state) const

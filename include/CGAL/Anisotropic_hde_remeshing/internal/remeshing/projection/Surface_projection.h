@@ -28,8 +28,8 @@ namespace Anisotropic_hde_remeshing {
 namespace internal {
 
 // Moves points onto the zero set and gives them its normal. Newton's method along the gradient comes first, then bisection
-// along the gradient at the start. If both fail, the closest point of the input is taken. Of a piecewise function, the piece of
-// the given region counts. The class is thread-safe. The result for a point depends on nothing but the point.
+// along the gradient at the start, then a descent along the gradient in small steps. If all fail, the closest point of the input
+// is taken. Of a piecewise function, the piece of the given region counts. The class is thread-safe. The result for a point depends on nothing but the point.
 template <typename ImplicitFunction>
 class Surface_projection
 {
@@ -41,8 +41,10 @@ private:
   static constexpr double exact_distance = 1e-9;
   static constexpr int newton_steps = 8;
   static constexpr int bisection_steps = 60;
-  static constexpr double settled = 1e-4;    // of the exact distance: there Newton's method ends
-  static constexpr double largest_jump = 10; // of the exact distance: up to there a change of sign counts as a zero
+  static constexpr int descent_steps = 64;
+  static constexpr double longest_descent = 0.1; // of the diagonal
+  static constexpr double settled = 1e-4;        // of the exact distance: there Newton's method ends
+  static constexpr double largest_jump = 10;     // of the exact distance: up to there a change of sign counts as a zero
   // squared sine of 15 degrees: two surfaces that meet at less have no well-defined curve in common
   static constexpr double smallest_squared_sine = 0.067;
 
@@ -142,7 +144,7 @@ public:
 
   Projection_counters counters() const
   {
-    return Projection_counters{m_number_by_newton, m_number_by_bisection, m_number_by_closest_point};
+    return Projection_counters{m_number_by_newton, m_number_by_bisection, m_number_by_descent, m_number_by_closest_point};
   }
 
 private:
@@ -173,6 +175,8 @@ private:
       m_number_by_newton.fetch_add(1, std::memory_order_relaxed);
     else if (bisection(state, region, trust_radius))
       m_number_by_bisection.fetch_add(1, std::memory_order_relaxed);
+    else if (descent(state, region, trust_radius))
+      m_number_by_descent.fetch_add(1, std::memory_order_relaxed);
     else
     {
       m_input.project(state);
@@ -256,11 +260,41 @@ private:
     return true;
   }
 
+  // Goes along the gradient in steps of about the trust radius, to where Newton's method or bisection lead on. The way is so long
+  // only where the mesh that was given is coarse and far from the surface: it is at most twice as long as the sides of the facet there.
+  bool descent(Vertex_state& state, const Region region, const double trust_radius) const
+  {
+    double rest = (std::min)(2 * m_input.size_of_closest_facet(state.point), longest_descent * m_input.diagonal());
+    if (!(rest > trust_radius))
+      return false; // there is no further to go than the others have looked
+    const double longest_step = (std::max)(trust_radius, rest / descent_steps);
+    Vertex_state moved = state;
+    for (int step = 0; step < 2 * descent_steps && rest > 0; ++step)
+    {
+      const Value_and_gradient at_point = evaluate(moved.point, region);
+      Vector normal;
+      if (!std::isfinite(at_point.value) || !unit_vector(at_point.gradient, normal))
+        return false;
+      const double distance = at_point.value / at_point.gradient.norm();
+      if (step > 0 && std::abs(distance) <= longest_step &&
+          (newton(moved, region, longest_step, m_exact_distance) || bisection(moved, region, longest_step)))
+      {
+        state = moved;
+        return true;
+      }
+      const double way = (std::min)({std::abs(distance), longest_step, rest});
+      rest -= way;
+      moved.point -= std::copysign(way, distance) * normal;
+    }
+    return false;
+  }
+
   const Function& m_function;
   const Input_surface& m_input;
   double m_exact_distance;
   std::vector<double> m_orientations; // by region: 1 or -1
-  mutable std::atomic<std::size_t> m_number_by_newton{0}, m_number_by_bisection{0}, m_number_by_closest_point{0};
+  mutable std::atomic<std::size_t> m_number_by_newton{0}, m_number_by_bisection{0}, m_number_by_descent{0},
+      m_number_by_closest_point{0};
 };
 
 } // namespace internal
