@@ -50,13 +50,12 @@ template <typename Function>
 void check_second_call(const std::string& name, const Mesh& input, const Function& function, const std::size_t coarse,
                        const std::size_t fine)
 {
-  const double diagonal = bounding_box_diagonal(input);
   Mesh mesh = input;
   CGAL::anisotropic_hde_remeshing<Tag>(mesh, function, params::number_of_target_faces(coarse));
   const Mesh given = mesh;
   const Hde::Remeshing_result result =
       CGAL::anisotropic_hde_remeshing<Tag>(mesh, function, params::number_of_target_faces(fine));
-  const Off_surface off = off_surface(mesh, function, diagonal);
+  const Off_surface off = off_surface(mesh, function, bounding_box_diagonal(given));
   std::cout << name << ": " << given.number_of_faces() << " -> " << mesh.number_of_faces() << " faces, " << off.number
             << " vertices off the surface, " << off.number_of_far << " by more than 1e-3 D; by descent "
             << result.projections.descent << ", on the input " << result.projections.closest_point << std::endl;

@@ -42,9 +42,10 @@ private:
   static constexpr int newton_steps = 8;
   static constexpr int bisection_steps = 60;
   static constexpr int descent_steps = 64;
-  static constexpr double longest_descent = 0.1; // of the diagonal
-  static constexpr double settled = 1e-4;        // of the exact distance: there Newton's method ends
-  static constexpr double largest_jump = 10;     // of the exact distance: up to there a change of sign counts as a zero
+  static constexpr double longest_descent = 0.1;  // of the diagonal
+  static constexpr double least_coarseness = 1.5; // of a facet of the input, over the trust radius, half of an edge
+  static constexpr double settled = 1e-4;         // of the exact distance: there Newton's method ends
+  static constexpr double largest_jump = 10;      // of the exact distance: up to there a change of sign counts as a zero
   // squared sine of 15 degrees: two surfaces that meet at less have no well-defined curve in common
   static constexpr double smallest_squared_sine = 0.067;
 
@@ -260,13 +261,15 @@ private:
     return true;
   }
 
-  // Goes along the gradient in steps of about the trust radius, to where Newton's method or bisection lead on. The way is so long
-  // only where the mesh that was given is coarse and far from the surface: it is at most twice as long as the sides of the facet there.
+  // Goes along the gradient in steps of about the trust radius, to where Newton's method or bisection lead on. It does so only
+  // where the mesh that was given is coarser than the mesh is now, and so may be far from the surface. The way is at most twice as
+  // long as the sides of the facet there.
   bool descent(Vertex_state& state, const Region region, const double trust_radius) const
   {
-    double rest = (std::min)(2 * m_input.size_of_closest_facet(state.point), longest_descent * m_input.diagonal());
-    if (!(rest > trust_radius))
-      return false; // there is no further to go than the others have looked
+    const double size = m_input.size_of_closest_facet(state.point);
+    if (!(size > least_coarseness * trust_radius))
+      return false;
+    double rest = (std::min)(2 * size, longest_descent * m_input.diagonal());
     const double longest_step = (std::max)(trust_radius, rest / descent_steps);
     Vertex_state moved = state;
     for (int step = 0; step < 2 * descent_steps && rest > 0; ++step)
