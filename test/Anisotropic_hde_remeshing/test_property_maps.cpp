@@ -132,6 +132,16 @@ struct By_set<Key, bool>
   By_set(Mesh&, const std::string&) {}
 };
 
+// A set has nothing but the edges that are marked: none of those that are gone.
+template <typename Edges>
+void check_edges_of_set(const Edges&, std::size_t)
+{
+}
+void check_edges_of_set(const By_set<Edge, bool>& edges, const std::size_t number_of_constrained_edges)
+{
+  CHECK(edges.values->size() == number_of_constrained_edges);
+}
+
 // ------------------------------------------------------------------------------------------------------------- what is done
 
 // a line, some vertices and two patches
@@ -206,6 +216,7 @@ Outcome with_constraints()
   result.mesh = digest_of(mesh, points.map);
   for (const Edge e : mesh.edges())
     result.number_of_constrained_edges += get(edges.map, e) ? 1 : 0;
+  check_edges_of_set(edges, result.number_of_constrained_edges);
   for (const Face f : mesh.faces())
     result.number_of_first_faces += int(get(patches.map, f)) == 5 ? 1 : 0;
   std::size_t number_of_wrong = 0;

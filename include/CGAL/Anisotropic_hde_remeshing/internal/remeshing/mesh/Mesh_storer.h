@@ -91,6 +91,12 @@ public:
   }
 
 private:
+  struct Old_elements
+  {
+    std::vector<Edge> edges;
+    std::vector<Vertex> vertices;
+  };
+
   bool is_untouchable(const Edge_index e) const { return m_mesh.arc(m_mesh.halfedge(e)).curve == Curve_arc::untouchable; }
 
   static std::size_t index(const Halfedge_index h) { return std::size_t(h); }
@@ -123,7 +129,7 @@ private:
     set_vertices(added.vertices);
     try
     {
-      write_maps(added, patches, is_all_replaced);
+      write_maps(added, gone, patches, is_all_replaced);
     }
     catch (...)
     {
@@ -134,9 +140,11 @@ private:
     connect(added, is_all_replaced);
   }
 
-  // Writes the maps of the new elements and of the kept ones. The old elements are still there.
+  // Writes the maps of the new elements and of the kept ones. The old elements are still there. Old edges are marked no more: a set
+  // would keep them, and a new edge may get the descriptor of an old one some day.
   template <typename Patches>
-  void write_maps(const New_elements<TriangleMesh>& added, const Patches& patches, const bool is_all_replaced)
+  void write_maps(const New_elements<TriangleMesh>& added, const Old_elements& gone, const Patches& patches,
+                  const bool is_all_replaced)
   {
     const New_points<Point, Mesh> points(m_mesh, m_origin.unit, m_new_vertices);
     for (std::size_t i = 0; i < added.vertices.size(); ++i)
@@ -144,6 +152,9 @@ private:
     Map_transaction<Edge_is_constrained_map, Edge> written(m_edge_is_constrained);
     if (!is_all_replaced)
     {
+      for (const Edge e : gone.edges)
+        if (get(m_edge_is_constrained, e))
+          written.write(e, false);
       for (std::size_t i = 0; i < added.edges.size(); ++i)
         put(m_edge_is_constrained, added.edges[i], m_mesh.is_on_curve(m_new_edges[i]) && !m_mesh.is_border(m_new_edges[i]));
       std::size_t i = 0;
@@ -237,12 +248,6 @@ private:
         m_halfedges[index(m_mesh.opposite(h))] = opposite(kept, m_tmesh);
       }
   }
-
-  struct Old_elements
-  {
-    std::vector<Edge> edges;
-    std::vector<Vertex> vertices;
-  };
 
   // Lists the edges and vertices of the replaced faces, except those that are kept. It also fills m_border with the border
   // halfedges that stay.
