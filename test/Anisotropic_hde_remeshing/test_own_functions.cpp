@@ -32,6 +32,7 @@ namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
 typedef CGAL::Parallel_if_available_tag Tag;
 
 double ellipsoid_value(const Point_3& p) { return Ellipsoid_function()(p); }
+double ellipsoid_value_without_exceptions(const Point_3& p) noexcept { return Ellipsoid_function()(p); }
 
 struct With_call_operator
 {
@@ -64,6 +65,7 @@ void test_kinds_of_functions()
   check_ellipsoid(Hde::make_implicit_function<Kernel>(generic, 10), 1e-9);
   check_ellipsoid(Hde::make_implicit_function(&ellipsoid_value, 10), 1e-9);
   check_ellipsoid(Hde::make_implicit_function(ellipsoid_value, 10), 1e-9);
+  check_ellipsoid(Hde::make_implicit_function(ellipsoid_value_without_exceptions, 10), 1e-9);
   check_ellipsoid(Hde::make_implicit_function(With_call_operator(), 10), 1e-9);
   check_ellipsoid(Hde::make_implicit_function(std::function<double(const Point_3&)>(lambda), 10), 1e-9);
   check_ellipsoid(Hde::make_implicit_function(lambda, gradient), 0);

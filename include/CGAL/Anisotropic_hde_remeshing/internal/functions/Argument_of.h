@@ -12,7 +12,6 @@
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
 #include <type_traits>
-#include <utility>
 
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
@@ -20,8 +19,6 @@ namespace internal {
 
 // The type of the only argument of a function, a function object or a lambda; `void` if it is a template or overloaded, or takes
 // another number of arguments.
-template <typename Result, typename Argument>
-std::decay_t<Argument> argument_of(Result (*)(Argument));
 template <typename Class, typename Result, typename Argument>
 std::decay_t<Argument> argument_of(Result (Class::*)(Argument) const);
 template <typename Class, typename Result, typename Argument>
@@ -33,14 +30,19 @@ struct Argument_of
   typedef void type;
 };
 template <typename Callable>
-struct Argument_of<Callable, std::void_t<decltype(argument_of(std::declval<Callable>()))>> // a pointer to a function
-{
-  typedef decltype(argument_of(std::declval<Callable>())) type;
-};
-template <typename Callable>
 struct Argument_of<Callable, std::void_t<decltype(argument_of(&Callable::operator()))>>
 {
   typedef decltype(argument_of(&Callable::operator())) type;
+};
+template <typename Result, typename Argument>
+struct Argument_of<Result (*)(Argument), void>
+{
+  typedef std::decay_t<Argument> type;
+};
+template <typename Result, typename Argument>
+struct Argument_of<Result (*)(Argument) noexcept, void>
+{
+  typedef std::decay_t<Argument> type;
 };
 
 } // namespace internal
