@@ -146,6 +146,19 @@ void test_cone(const std::size_t sides, const double height, const std::size_t w
   }
 }
 
+// A tip that is not on the surface of a function goes there.
+void test_tip_off_the_surface()
+{
+  Mesh mesh = cone(48, 2);
+  const Hde::Remeshing_result result =
+      CGAL::anisotropic_hde_remeshing<Tag>(mesh, Sphere_function{3}, params::number_of_target_faces(400));
+  CHECK(!has_vertex(mesh, Point_3(0, 0, 2)));
+  std::size_t number_off = 0;
+  for (const auto v : mesh.vertices())
+    number_off += std::abs(std::sqrt((mesh.point(v) - CGAL::ORIGIN).squared_length()) - 3) > 1e-6 ? 1 : 0;
+  CHECK(number_off == result.number_of_unprojected_vertices);
+}
+
 // each vertex of an octahedron turns as much as a tip, but none more than its neighbours: it is a coarse sphere
 void test_coarse_sphere()
 {
@@ -165,6 +178,7 @@ int main()
   for (const double height : {1.2, 2., 4.})
     for (const std::size_t wanted : {200, 400, 1000})
       test_cone(48, height, wanted);
+  test_tip_off_the_surface();
   test_coarse_sphere();
   for (const std::size_t sides : {60, 200, 2000})
     for (const std::size_t wanted : {500, 4000})

@@ -73,6 +73,7 @@ Remeshing_report remesh(Working_mesh<typename Embedding::Vertex_data>& mesh, con
 {
   typedef Surface_projection<Surface_function> Projection;
   typedef Remesher<ConcurrencyTag, Embedding, Projection, Intersections> Remesher;
+  static constexpr double largest_shift_of_tips = 1e-6; // over the diagonal, by the projection: one that is on the surface
 
   Real_timer timer;
   timer.start();
@@ -81,12 +82,13 @@ Remeshing_report remesh(Working_mesh<typename Embedding::Vertex_data>& mesh, con
   if (parameters.number_of_iterations > 0)
     reorder_in_space<ConcurrencyTag>(mesh, interruption);
   const Curve_network curves = curve_network(mesh, function.is_piecewise(), input.diagonal(), parameters.allowed);
-  fix_apexes(mesh);
   const Feature_curves curves_before = feature_curves(mesh);
   Projection projection(function, input);
   Remesher remesher(mesh, embedding, projection, curves, intersections, parameters, visitor);
+  const auto tips = apexes(mesh);
   remesher.project_input();
   orient(projection, mesh);
+  fix_apexes(tips, largest_shift_of_tips * input.diagonal(), mesh);
   const double projection_seconds = timer.time();
 
   timer.reset();

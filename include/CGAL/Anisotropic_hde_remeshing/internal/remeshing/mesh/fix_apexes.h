@@ -17,6 +17,7 @@
 
 #include <boost/math/constants/constants.hpp>
 
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -41,11 +42,11 @@ double angle_defect(const Vertex_index v, const Mesh& mesh)
   return defect;
 }
 
-// Fixes the tips of cones and spikes: operations by lengths would take them off.
+// the tips of cones and spikes, which operations by lengths would take off, and where they are
 template <typename Mesh>
-void fix_apexes(Mesh& mesh)
+std::vector<std::pair<Vertex_index, Vector>> apexes(const Mesh& mesh)
 {
-  std::vector<Vertex_index> apexes;
+  std::vector<std::pair<Vertex_index, Vector>> result;
   for (const Vertex_index v : mesh.vertices())
   {
     const double defect = angle_defect(v, mesh);
@@ -54,10 +55,21 @@ void fix_apexes(Mesh& mesh)
       for (const Halfedge_index h : mesh.halfedges_around_target(mesh.halfedge(v)))
         is_tip = is_tip && is_apex(defect, angle_defect(mesh.source(h), mesh));
     if (is_tip)
-      apexes.push_back(v);
+      result.emplace_back(v, mesh.point(v).point);
   }
-  for (const Vertex_index v : apexes)
-    mesh.point(v).is_fixed = true;
+  return result;
+}
+
+// Fixes those that the projection to the surface has left where they were, to a distance.
+template <typename Mesh>
+void fix_apexes(const std::vector<std::pair<Vertex_index, Vector>>& apexes, const double distance, Mesh& mesh)
+{
+  for (const auto& [v, point] : apexes)
+    if ((mesh.point(v).point - point).norm() <= distance)
+    {
+      mesh.point(v).point = point;
+      mesh.point(v).is_fixed = true;
+    }
 }
 
 } // namespace internal
