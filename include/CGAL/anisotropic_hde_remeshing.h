@@ -99,7 +99,8 @@ locations are in a map that it does not keep itself.
     \cgalParamDescription{the embedding in which the mesh becomes uniform and isotropic, in place of the paper's. It excludes
                           `sigma` and `relative_sigma`. `Anisotropic_hde_remeshing::Curvature_metric` is for a small distance to
                           the surface, `Anisotropic_hde_remeshing::Adaptive_normal_embedding` is for meshes of which no scale is
-                          known, `Anisotropic_hde_remeshing::Scalar_field_embedding` is for a field that is to be resolved.}
+                          known, `Anisotropic_hde_remeshing::Scalar_field_embedding` is for a field that is to be resolved,
+                          `Anisotropic_hde_remeshing::Sized_embedding` for lengths wanted at each place.}
     \cgalParamType{a model of `RemeshingEmbedding` or of `RemeshingMetric`}
     \cgalParamDefault{`Anisotropic_hde_remeshing::Normal_embedding` with \f$ \sigma \f$. If an approximation error is given and
                       sigma is not: `Anisotropic_hde_remeshing::Curvature_metric` with \f$ p = \infty \f$}

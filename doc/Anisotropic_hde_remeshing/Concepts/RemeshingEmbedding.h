@@ -22,6 +22,7 @@ the bounding box of the mesh is less than one and no less than a half. Const mem
 
 \cgalHasModel `CGAL::Anisotropic_hde_remeshing::Normal_embedding`
 \cgalHasModel `CGAL::Anisotropic_hde_remeshing::Scalar_field_embedding`
+\cgalHasModel `CGAL::Anisotropic_hde_remeshing::Sized_embedding`
 
 \sa `RemeshingMetric`, which is shorter to write where a matrix is all that is needed
 */
