@@ -44,6 +44,8 @@ class Reference_samples
   static constexpr int largest_depth = 16;      // of cuts of a facet
   static constexpr double share_of_reach = 0.7; // of the longest edge of its part
   static constexpr double longest_part = 3;     // over the root of its area
+  // of the corners of a facet: a large facet beside a detail does not take the samples of all others
+  static constexpr double largest_ratio_of_areas = 16;
 
   // of a facet
   struct Part
@@ -93,7 +95,8 @@ private:
     for (std::size_t i = 0; i < facets.size(); ++i)
     {
       const Facet& facet = facets[i];
-      m_largest_areas[i] = (std::min)({areas[facet[0]], areas[facet[1]], areas[facet[2]]});
+      const auto [least, most] = std::minmax({areas[facet[0]], areas[facet[1]], areas[facet[2]]});
+      m_largest_areas[i] = (std::max)(least, most / largest_ratio_of_areas);
       const double area = normal(points, facet).norm() / 2;
       m_area += area;
       number += area / m_largest_areas[i];
