@@ -57,6 +57,7 @@ class Error_remesher
   // How many samples there are at least: so many for a face of the result, but fewer if they are more than enough in all. Small
   // faces have about as many as large ones. That is worth twice the number of samples that are spread evenly.
   static constexpr double samples_per_face = 30, least_samples_per_face = 4, enough_samples = 150000;
+  static constexpr double more_samples_for_error = 2; // times: where the largest distance counts, those between samples matter
   static constexpr double largest_number_of_samples = 1e9; // where this is many: their indices have 32 bits
   static constexpr double share_exchanged = 0.1;           // of the vertices, in a round
   static constexpr double share_of_coarsening = 0.3;       // of the progress that is told
@@ -126,9 +127,10 @@ public:
 private:
   double number_of_samples() const
   {
-    const double n = double(m_mesh.number_of_faces());
-    return (std::min)((std::max)(least_samples_per_face * n, (std::min)(samples_per_face * n, enough_samples)),
-                      largest_number_of_samples);
+    const double n = double(m_mesh.number_of_faces()), factor = keeps_error() ? more_samples_for_error : 1.;
+    return (std::min)(
+        (std::max)(factor * least_samples_per_face * n, (std::min)(samples_per_face * n, factor * enough_samples)),
+        largest_number_of_samples);
   }
 
   // for each vertex the mean area of the faces around it, or a small one at least
