@@ -9,7 +9,7 @@
 
 # Remeshes CGAL's larger meshes, and those given, to a quarter, a tenth and a twenty-fifth of their vertices, in three settings and by
 # CGAL's edge collapse. Prints a line of figures each: distances both ways, normals, shapes, folds, intersections and time; in the
-# end the geometric means and the worst ones of all. See benchmark_real_meshes.cpp. About half an hour.
+# end the geometric means and the worst ones of all. See benchmark_real_meshes.cpp. About ten minutes.
 # With --errors: to errors of 3e-3, 1e-3 and 3e-4 of the diagonal, and how many faces CGAL's collapse takes for each. An hour.
 # Usage: scripts/benchmark_real_meshes.sh [--errors] [MESH...]
 # BUILD_DIR (default build/benchmark) and JOBS (default 2) may be set in the environment.
