@@ -84,8 +84,8 @@ than a twentieth of its checks, where sampling is too coarse for the shape. Ther
 with a gradient along the interpolated normals of the input, blended with the neighbouring patches. `diagnostics()` counts these
 patches.
 
-Copies are cheap: they share the data, which never change. A function that is moved is copied: it can still be used. All members are thread-safe. The function does not depend on the
-number of threads that built it.
+Copies are cheap: they share the data, which never change. A function that is moved is copied: it can still be used. All members
+are thread-safe. The function does not depend on the number of threads that built it.
 
 The construction takes time linear in the number of points, and cubic in the number of points of a patch. The time of an
 evaluation depends on the number of points only by the depth of the tree of patches.

@@ -29,7 +29,8 @@ namespace internal {
 
 // Moves points onto the zero set and gives them its normal. Newton's method along the gradient comes first, then bisection
 // along the gradient at the start, then a descent along the gradient in small steps. If all fail, the closest point of the input
-// is taken. Of a piecewise function, the piece of the given region counts. The class is thread-safe. The result for a point depends on nothing but the point.
+// is taken. Of a piecewise function, the piece of the given region counts. The class is thread-safe. The result for a point depends
+// on nothing but the point.
 template <typename ImplicitFunction>
 class Surface_projection
 {
