@@ -21,10 +21,10 @@
 // --cad: cylinders, tubes, cones and plates of few long triangles, made here. Distances are over the chord height of a side.
 // --all has more numbers of sides and rings in --cad.
 
-#include "fidelity/cad_shapes.h"
 #include "fidelity/fidelity.h"
 
 #include "Table.h"
+#include "cad_shapes.h"
 #include "seconds_of.h"
 #include "shapes.h"
 
