@@ -189,7 +189,8 @@ void test_default()
   CHECK(sigma_of(params::number_of_target_faces(500).remeshing_scheme(Hde::Remeshing_scheme::MEASURED_ERROR)) == 0);
   CHECK(sigma_of(params::number_of_target_faces(1200)) > 0);
   CHECK(sigma_of(params::number_of_target_faces(1200).remeshing_scheme(Hde::Remeshing_scheme::MEASURED_ERROR)) == 0);
-  CHECK(sigma_of(params::number_of_target_faces(1400).remeshing_scheme(Hde::Remeshing_scheme::MEASURED_ERROR)) > 0);
+  CHECK(sigma_of(params::number_of_target_faces(1400)) > 0);
+  CHECK(sigma_of(params::number_of_target_faces(1400).remeshing_scheme(Hde::Remeshing_scheme::MEASURED_ERROR)) == 0);
   CHECK(sigma_of(params::number_of_target_faces(500).sigma(0.1)) == 0.1);
   CHECK(sigma_of(params::number_of_target_faces(500).number_of_patches(3)) > 0);
   CHECK(sigma_of(params::default_values()) > 0);

@@ -127,7 +127,7 @@ Sizes sizes_of(const Options& options, const Mesh& mesh)
   else if (options.faces || !sizes.error)
     sizes.number_of_faces =
         options.faces ? static_cast<std::size_t>(*options.faces) : static_cast<std::size_t>(mesh.number_of_faces());
-  sizes.scheme = scheme_of(sizes, options, mesh.number_of_faces());
+  sizes.scheme = scheme_of(sizes, options, mesh);
   return sizes;
 }
 

@@ -28,8 +28,9 @@ namespace {
 const char* help_header()
 {
   return "Remeshes the surface of a triangle mesh with triangles that follow its curvature.\n\n"
-         "If only a number of triangles is given, of at most 3/4 of those of IN, the distance to IN\n"
-         "leads, measured both ways. Else it goes as follows.\n\n"
+         "If only a number of triangles is given, of at most 3/4 of those of IN, or if these are the\n"
+         "long ones of a CAD program, the distance to IN leads, measured both ways. Else it goes as\n"
+         "follows.\n\n"
          "The vertices of the mesh IN and their normals give a smooth function, by radial basis\n"
          "functions, whose zero set is the surface. New vertices are put on that surface, not on the\n"
          "flat triangles of IN. Lengths are measured in six dimensions, position and sigma times unit\n"
@@ -162,10 +163,12 @@ void add_remeshing_options(CLI::App& app, Options& o)
       ->type_name("DEGREES")
       ->group(group);
   app.add_option("--scheme", o.scheme,
-                 "measured-error: the least distance to IN, for fewer triangles than IN has; embedding: uniform in the\n"
-                 "embedding, vertices on the smooth surface; paper: the same by Algorithm 2 of Dassi, Farrell and Si.\n"
-                 "By default the first if a number is asked for that is at most 3/4 of that of IN, and nothing of the\n"
-                 "embedding or the smooth function; else the second")
+                 "measured-error: the least distance to IN, whose triangles are split first if there are fewer than asked\n"
+                 "for; embedding: uniform in the embedding, vertices on the smooth surface; paper: the same by Algorithm 2 of "
+                 "Dassi, Farrell and Si.\n"
+                 "By default the first if a number is asked for that is at most 3/4 of that of IN, or any if more than 1/4\n"
+                 "of the area is in triangles 6 times as long as high, and nothing of the embedding or the smooth\n"
+                 "function; else the second")
       ->check(CLI::IsMember({"default", "measured-error", "embedding", "paper"}))
       ->group(group);
   app.add_option("--iterations", o.iterations, "number of iterations")->group(group);

@@ -60,7 +60,7 @@ Remeshing_result remesh_with_embedding(Mesh& mesh, const Function_view& function
 
 } // namespace
 
-Remeshing_scheme scheme_of(const Sizes& sizes, const Options& o, const std::size_t number_of_faces)
+Remeshing_scheme scheme_of(const Sizes& sizes, const Options& o, const Mesh& mesh)
 {
   if (o.scheme == "paper")
     return Remeshing_scheme::PAPER;
@@ -78,9 +78,10 @@ Remeshing_scheme scheme_of(const Sizes& sizes, const Options& o, const std::size
   namespace Hde_internal = CGAL::Anisotropic_hde_remeshing::internal;
   const bool is_by_measured_error =
       (is_asked_for || !(is_embedding_given || is_function_given)) &&
-      (sizes.error
-           ? Hde_internal::keeps_measured_error(scheme)
-           : Hde_internal::is_by_measured_error(scheme, static_cast<double>(sizes.number_of_faces.value()), number_of_faces));
+      (sizes.error ? Hde_internal::keeps_measured_error(scheme)
+                   : Hde_internal::is_by_measured_error(
+                         scheme, static_cast<double>(sizes.number_of_faces.value()), mesh.number_of_faces(),
+                         [&] { return Hde_internal::has_long_facets(faces(mesh), mesh, mesh.points()); }));
   return is_by_measured_error ? Remeshing_scheme::MEASURED_ERROR : Remeshing_scheme::EMBEDDING;
 }
 

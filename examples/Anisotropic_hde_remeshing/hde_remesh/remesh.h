@@ -48,9 +48,9 @@ struct Remeshed
 };
 
 // The scheme of the library, and its name on the command line. By default the measured error leads where a number of triangles is
-// asked for that is not too near to that of IN, and nothing that concerns an embedding or the function.
-CGAL::Anisotropic_hde_remeshing::Remeshing_scheme scheme_of(const Sizes& sizes, const Options& options,
-                                                            std::size_t number_of_faces);
+// asked for, and nothing that concerns an embedding or the function, if that number is not too near to that of IN, or the facets of IN
+// are exact.
+CGAL::Anisotropic_hde_remeshing::Remeshing_scheme scheme_of(const Sizes& sizes, const Options& options, const Mesh& mesh);
 std::string scheme_text(CGAL::Anisotropic_hde_remeshing::Remeshing_scheme scheme);
 
 // the embedding in words, and whether it is the paper's

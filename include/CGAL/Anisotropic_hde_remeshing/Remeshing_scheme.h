@@ -19,7 +19,8 @@ namespace Anisotropic_hde_remeshing {
 /// the order of the operations in `CGAL::anisotropic_hde_remeshing()`
 enum class Remeshing_scheme
 {
-  /// `MEASURED_ERROR` if an error is asked for, or a number of faces that is at most three quarters of that of the input, and
+  /// `MEASURED_ERROR` if an error is asked for, or a number of faces that is at most three quarters of that of the input, or any
+  /// number where more than a quarter of the area is in faces whose longest edge is more than six times the altitude over it, and
   /// neither an embedding, nor a length, a function or a parameter of one of these. Otherwise `EMBEDDING`.
   DEFAULT,
   /// Algorithm 2 of the paper. An iteration first repeats three operations until nothing is contracted: it contracts edges
@@ -34,14 +35,14 @@ enum class Remeshing_scheme
   /// more than asked. It is two fifths more once, if the mesh begins with about the right number. Next, the iteration flips
   /// edges towards valence six, or, in the last iterations, towards larger angles. In the end it smooths all vertices.
   EMBEDDING,
-  /// For meshes with fewer faces than the input, which is then the surface itself. Samples of the input know which face of the
+  /// The input is the surface itself. If it has fewer faces than asked for, these are split first, at their longest edges. Samples of the input know which face of the
   /// mesh is nearest, so each face knows how far it is from what it stands for. First, edges are contracted in the order of what
   /// is lost by that, which quadrics add up. Then iterations follow. Each exchanges vertices, a contraction that costs little for
   /// a split that gains much; flips edges where that makes the distance less; and moves the vertices where the distance is least,
   /// on the surface or off it. Distances count by their third power, so that the largest one becomes small, too. Long triangles
   /// have a price: they stand where they pay. Vertices of curves stay on them. With an error, edges
-  /// are contracted as long as it is kept, and faces that exceed it in the end are split. If the result does not have fewer faces
-  /// than the input, or a length is asked for, this is `EMBEDDING`.
+  /// are contracted as long as it is kept, and faces that exceed it in the end are split. If neither an error nor a
+  /// number of faces is asked for, or an embedding is, this is `EMBEDDING`.
   MEASURED_ERROR
 };
 

@@ -32,6 +32,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/remesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/remesh_by_error.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/remeshing_parameters.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/split_input.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/targets/Target_length.h>
 
 #include <CGAL/Real_timer.h>
@@ -72,8 +73,12 @@ auto intersections_parameter(const NamedParameters& np, const Mesh& mesh, const 
   if constexpr (is_given<NamedParameters, internal_np::do_self_intersection_tests_t>)
   {
     const bool is_active = parameters::get_parameter(np, internal_np::do_self_intersection_tests);
-    return Mesh_intersections<Mesh>(mesh, is_active && !is_whole_mesh ? load_obstacles(tmesh, vpm, origin) : Obstacles(),
-                                    is_active);
+    Obstacles obstacles;
+    if (is_active && !is_whole_mesh)
+      obstacles = load_obstacles(tmesh, vpm, origin);
+    while (!obstacles.vertex_numbers.empty() && obstacles.vertex_numbers.size() < mesh.number_of_vertices())
+      obstacles.vertex_numbers.push_back(obstacles.first_free_number++); // of vertices that the input did not have
+    return Mesh_intersections<Mesh>(mesh, std::move(obstacles), is_active);
   }
   else
     return No_intersections();
@@ -137,17 +142,14 @@ Remeshing_result remesh_faces(const FaceRange& faces, TriangleMesh& tmesh, const
   }
   if constexpr (is_piecewise<Function>)
     mesh.set_input_regions(regions_of_faces(origin, creases.face_region, number_of_pieces(function)));
-  std::vector<Vector> points;
-  points.reserve(mesh.number_of_vertices());
-  for (const Vertex_index v : mesh.vertices())
-    points.push_back(mesh.point(v).point);
-  const Input_surface input(std::move(points), origin.facets, origin.diagonal / origin.unit);
-  const Embedding embedding = embedding_parameter(np, origin.diagonal);
-  auto intersections = intersections_parameter(np, mesh, tmesh, vpm, origin, is_whole_mesh);
-  const Embedding embedding_in_unit = embedding.in_unit(origin.unit);
+  const Embedding embedding = embedding_parameter(np, origin.diagonal), embedding_in_unit = embedding.in_unit(origin.unit);
   const double unit_of_lengths = embedding_in_unit.unit_of_lengths(origin.unit);
   const Remeshing_parameters parameters =
       remeshing_parameters(np, embedding_in_unit, origin.diagonal, origin.unit, mesh.number_of_faces());
+  if (parameters.scheme == Remeshing_scheme::MEASURED_ERROR && !(parameters.error > 0))
+    split_faces(mesh, parameters.target.number_of_faces(), interruption);
+  const Input_surface input(points_of(mesh), facets_of(mesh), origin.diagonal / origin.unit);
+  auto intersections = intersections_parameter(np, mesh, tmesh, vpm, origin, is_whole_mesh);
   try
   {
     const Visitor_reference listener(visitor, interruption);
@@ -187,7 +189,10 @@ Remeshing_result remesh_faces(const FaceRange& faces, TriangleMesh& tmesh, const
   Located_vertices<TriangleMesh> rest;
   if constexpr (is_given<NamedParameters, internal_np::vertex_location_map_t>)
   {
-    locations = locations_on_input<ConcurrencyTag>(mesh, input, origin);
+    // without the vertices that were added to it
+    std::vector<Vector> points(input.points().begin(), input.points().begin() + std::ptrdiff_t(origin.vertices.size()));
+    const Input_surface of_caller(std::move(points), origin.facets, input.diagonal());
+    locations = locations_on_input<ConcurrencyTag>(mesh, of_caller, origin);
     if (!is_all_replaced)
       rest = locations_of_rest(tmesh, origin.vertices);
   }

@@ -18,6 +18,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/type_traits.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/visitor_parameter.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/keep_sharp_curves.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/has_long_facets.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/input_locations.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/remesh_faces.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/remeshing_parameters.h>
@@ -203,8 +204,12 @@ Remeshing_result remesh_faces_on_built_surface(const FaceRange& faces, TriangleM
   typedef Simple_cartesian<double> Kernel;
 
   if constexpr (leaves_embedding_and_function_open<NamedParameters>)
-    if (is_by_measured_error(np, number_of_faces_in(faces)))
+  {
+    const auto vpm =
+        choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tmesh));
+    if (is_by_measured_error(np, number_of_faces_in(faces), [&] { return has_long_facets(faces, tmesh, vpm); }))
       return remesh_faces_by_error<ConcurrencyTag>(faces, tmesh, is_whole_mesh, np);
+  }
   Remeshing_visitor nobody;
   Visitor_parameter<NamedParameters> visitor = visitor_parameter(np, nobody);
   visitor.stage_started(Stage::IMPLICIT_FUNCTION);

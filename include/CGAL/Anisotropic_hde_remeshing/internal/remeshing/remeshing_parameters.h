@@ -219,9 +219,9 @@ Remeshing_parameters remeshing_parameters(const NamedParameters& np, const Embed
   Remeshing_parameters result = iteration_parameters(np);
   result.error = error_parameter(np, diagonal) / unit;
   result.target = target_length(np, embedding.unit_of_lengths(diagonal), embedding.unit_of_lengths(unit), number_of_faces);
-  const bool is_coarsened = std::is_same<Embedding, Normal_embedding>::value && !result.target.is_length_given() &&
-                            (result.error > 0 || result.target.number_of_faces() < double(number_of_faces));
-  if (result.scheme == Remeshing_scheme::MEASURED_ERROR && !is_coarsened)
+  const bool has_measured_error = std::is_same<Embedding, Normal_embedding>::value &&
+                                  (result.error > 0 || is_given<NamedParameters, internal_np::number_of_target_faces_t>);
+  if (result.scheme == Remeshing_scheme::MEASURED_ERROR && !has_measured_error)
   {
     result.scheme = Remeshing_scheme::EMBEDDING;
     if constexpr (!is_given<NamedParameters, internal_np::number_of_iterations_t>)
@@ -253,25 +253,29 @@ inline bool keeps_measured_error(const Remeshing_scheme scheme)
   return scheme == Remeshing_scheme::MEASURED_ERROR || scheme == Remeshing_scheme::DEFAULT;
 }
 
-// The same where nothing but a number of faces is asked for. The caller's scheme has the first word.
-inline bool is_by_measured_error(const Remeshing_scheme scheme, const double number_of_target_faces,
-                                 const std::size_t number_of_faces)
+// The same where nothing but a number of faces is asked for. The caller's scheme has the first word. `has_long_facets()` tells whether
+// the facets of the input are exact.
+template <typename HasLongFacets>
+bool is_by_measured_error(const Remeshing_scheme scheme, const double number_of_target_faces, const std::size_t number_of_faces,
+                          const HasLongFacets& has_long_facets)
 {
   static constexpr double largest_ratio = 0.75; // of the number of faces to that of the input
-  const double ratio = number_of_target_faces / double(number_of_faces);
-  return scheme == Remeshing_scheme::MEASURED_ERROR ? ratio < 1 : scheme == Remeshing_scheme::DEFAULT && ratio <= largest_ratio;
+  return scheme == Remeshing_scheme::MEASURED_ERROR ||
+         (scheme == Remeshing_scheme::DEFAULT &&
+          (number_of_target_faces <= largest_ratio * double(number_of_faces) || has_long_facets()));
 }
 
 // Whether the measured error leads, and no function is needed.
-template <typename NamedParameters>
-bool is_by_measured_error(const NamedParameters& np, const std::size_t number_of_faces)
+template <typename NamedParameters, typename HasLongFacets>
+bool is_by_measured_error(const NamedParameters& np, const std::size_t number_of_faces, const HasLongFacets& has_long_facets)
 {
   if (!allowed_operations(np).has_all_of_mesh())
     return false;
   if constexpr (leaves_embedding_and_function_open<NamedParameters> && is_error_given<NamedParameters>)
     return keeps_measured_error(iteration_parameters(np).scheme);
   else if constexpr (leaves_embedding_and_function_open<NamedParameters>)
-    return is_by_measured_error(iteration_parameters(np).scheme, target_length(np, 1, 1, 1).number_of_faces(), number_of_faces);
+    return is_by_measured_error(iteration_parameters(np).scheme, target_length(np, 1, 1, 1).number_of_faces(), number_of_faces,
+                                has_long_facets);
   else
     return false;
 }

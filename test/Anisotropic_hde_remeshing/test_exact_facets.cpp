@@ -1,0 +1,160 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+// Shapes as CAD programs write them, few triangles and long ones, that are to have more of them: the facets themselves are the
+// surface, and the mesh stays on them.
+
+#include "cad_shapes.h"
+#include "check.h"
+#include "remeshing_checks.h"
+#include "shapes.h"
+
+#include <CGAL/Anisotropic_hde_remeshing/distance_measures.h>
+#include <CGAL/Anisotropic_hde_remeshing/quality_measures.h>
+#include <CGAL/Anisotropic_hde_remeshing/transfer_vertex_property.h>
+#include <CGAL/anisotropic_hde_remeshing.h>
+
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <cmath>
+#include <cstddef>
+#include <iostream>
+#include <set>
+#include <string>
+#include <vector>
+
+using namespace shapes;
+namespace Hde = CGAL::Anisotropic_hde_remeshing;
+namespace PMP = CGAL::Polygon_mesh_processing;
+namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
+
+typedef CGAL::Parallel_if_available_tag Tag;
+
+bool is_reached(const Hde::Remeshing_result& result, const std::size_t wanted)
+{
+  return std::abs(double(result.number_of_faces) - double(wanted)) <= 0.01 * double(wanted);
+}
+
+// More faces leave the surface by less than the file itself does, which is by the height of an arc over a side.
+template <typename NamedParameters>
+void check_more_faces(const std::string& name, const Mesh& input, const std::size_t wanted, const double height,
+                      const NamedParameters& np)
+{
+  Mesh mesh = input;
+  const Hde::Remeshing_result result = CGAL::anisotropic_hde_remeshing<Tag>(mesh, np.number_of_target_faces(wanted));
+  const Hde::Distance_measures distance = Hde::measure_distance<Tag>(mesh, input);
+  std::cout << name << ": " << result.number_of_faces << " faces of " << wanted << ", " << result.number_of_needles
+            << " needles, largest distance " << distance.max() / height << " heights" << std::endl;
+  CHECK(is_reached(result, wanted));
+  CHECK(result.sigma == 0); // no embedding, and so no function
+  CHECK(distance.max() <= 4 * height);
+  CHECK(distance.rms() <= height / 2);
+  remeshing_checks::check_same_topology(input, mesh);
+  // at most what a chain of needles has that is not done
+  CHECK(10 * result.number_of_needles <= result.number_of_faces);
+}
+
+void check_shape(const std::string& name, const Mesh& input, const std::size_t wanted, const double height)
+{
+  check_more_faces(name, input, wanted, height, params::number_of_iterations(6));
+  check_more_faces(name + ", sharp", input, wanted, height, params::sharp_angle(40));
+}
+
+void test_shapes()
+{
+  const std::size_t sides = 64, wanted = 1000;
+  const double height = cad_shapes::chord_height(sides); // the radius is 1
+  check_shape("open cylinder", cad_shapes::cylinder(sides, 1, false), wanted, height);
+  check_shape("cylinder", cad_shapes::cylinder(sides, 2, true), wanted, height);
+  check_shape("tube", cad_shapes::tube(sides, 1), wanted, height);
+  check_shape("cone", cad_shapes::cone_with_tip(sides, 1), wanted, height);
+  check_shape("elbow", cad_shapes::elbow(24, 1, true), wanted, cad_shapes::chord_height(24));
+  check_shape("plate", cad_shapes::plate(sides / 4, 2), wanted, height);
+  check_shape("fillets", cad_shapes::bar_with_fillets(8, 1), wanted, cad_shapes::chord_height(32) / 2);
+}
+
+// If it is asked for, the measured error leads for any number of faces: what is split stays where it is.
+void test_any_number()
+{
+  const Mesh input = icosphere(2);
+  Mesh mesh = input;
+  const Hde::Remeshing_result result = CGAL::anisotropic_hde_remeshing<Tag>(
+      mesh, params::number_of_target_faces(1000).remeshing_scheme(Hde::Remeshing_scheme::MEASURED_ERROR));
+  CHECK(is_reached(result, 1000));
+  CHECK(result.sigma == 0);
+  CHECK(Hde::measure_distance<Tag>(mesh, input).max() < 0.1 * cad_shapes::chord_height(20));
+}
+
+// The locations are those on the caller's faces, not on those that these were split to.
+void test_locations()
+{
+  const Mesh input = cad_shapes::cylinder(48, 1, true);
+  Mesh mesh = input;
+  const auto location = mesh.add_property_map<Mesh::Vertex_index, Hde::Input_location>("v:location").first;
+  CGAL::anisotropic_hde_remeshing<Tag>(mesh, params::number_of_target_faces(800).vertex_location_map(location));
+  Mesh copy = input;
+  const auto place = copy.add_property_map<Mesh::Vertex_index, double>("v:place").first;
+  const auto place_of = [](const Point_3& p) { return p.x() + 2 * p.y() + 3 * p.z(); };
+  for (const auto v : copy.vertices())
+    place[v] = place_of(copy.point(v));
+  const auto transferred = mesh.add_property_map<Mesh::Vertex_index, double>("v:transferred").first;
+  Hde::transfer_vertex_property(copy, place, mesh, location, transferred);
+  for (const auto v : mesh.vertices())
+    CHECK_CLOSE(transferred[v], place_of(mesh.point(v)), 10 * cad_shapes::chord_height(48));
+}
+
+// A part of a mesh: the rest stays, nothing intersects it, and the edges between them stay, too.
+void test_part()
+{
+  const Mesh input = cad_shapes::tube(48, 1);
+  Mesh mesh = input;
+  std::vector<Mesh::Face_index> part;
+  for (const auto f : mesh.faces())
+    if (PMP::compute_face_normal(f, mesh).z() < 0.5 && PMP::face_area(f, mesh) > 0.2)
+      part.push_back(f);
+  const std::size_t rest = mesh.number_of_faces() - part.size();
+  const Hde::Remeshing_result result = CGAL::anisotropic_hde_remeshing<Tag>(
+      part, mesh, params::number_of_target_faces(3 * part.size()).do_self_intersection_tests(true));
+  CHECK(rest > 0 && result.number_of_faces + rest == mesh.number_of_faces());
+  CHECK(is_reached(result, 3 * part.size()));
+  CHECK(CGAL::is_closed(mesh) && CGAL::is_valid_polygon_mesh(mesh));
+  CHECK(!PMP::does_self_intersect(mesh));
+  CHECK(Hde::measure_distance<Tag>(mesh, input).max() <= 2 * cad_shapes::chord_height(48));
+}
+
+// Edges that have to stay are not split.
+void test_protected()
+{
+  const Mesh input = cad_shapes::cylinder(48, 1, false);
+  Mesh mesh = input;
+  const Hde::Remeshing_result result =
+      CGAL::anisotropic_hde_remeshing<Tag>(mesh, params::number_of_target_faces(500).protect_constraints(true));
+  CHECK(is_reached(result, 500));
+  std::set<Point_3> before, after;
+  const auto points_of_boundary = [](const Mesh& m, std::set<Point_3>& points)
+  {
+    for (const auto v : m.vertices())
+      if (m.is_border(v))
+        points.insert(m.point(v));
+  };
+  points_of_boundary(input, before);
+  points_of_boundary(mesh, after);
+  CHECK(before == after);
+}
+
+int main()
+{
+  test_shapes();
+  test_any_number();
+  test_locations();
+  test_part();
+  test_protected();
+  return check_summary();
+}
