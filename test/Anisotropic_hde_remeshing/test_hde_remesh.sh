@@ -461,11 +461,25 @@ check "the advice is gone" [ "$(grep -c 'is open' stderr)" -eq 0 ]
 torn off 4e-10 >digits.off
 check "the repair of cracks in the last of nine digits" run 0 digits.off o.off $nothing --repair
 check "closes the cracks, too" is_closed_sphere
+# the same of floats, with all digits that tell them
+awk 'BEGIN { srand(2) }
+  $1 == "v" { ++n; for (k = 2; k <= 4; ++k) x[n, k] = 2^-24 * int(2^24 * $k) }
+  $1 == "f" { ++m; for (k = 2; k <= 4; ++k) { split($k, a, "/"); ++c; for (i = 2; i <= 4; ++i) p[c, i] = x[a[1], i] + (rand() < .2 ? 2^-24 : 0) } }
+  END { print "OFF\n" c, m; for (i = 1; i <= c; ++i) printf "%.17g %.17g %.17g\n", p[i, 2], p[i, 3], p[i, 4]
+        for (i = 0; i < m; ++i) print 3, 3 * i, 3 * i + 1, 3 * i + 2 }' sphere.obj >floats.off
+check "the repair of cracks in the last place of floats, written as doubles" run 0 floats.off o.off $nothing --repair
+check "closes these, too" is_closed_sphere
 torn stl 1e-4 >wide.stl
 check "STL with wider cracks" run 0 wide.stl o.off $nothing
 check "no advice for cracks as wide" [ "$(grep -c 'is open only' stderr)" -eq 0 ]
 check "a length for it" run 0 wide.stl o.off $nothing --merge 1e-4
 check "it is closed as well" is_closed_sphere
+awk 'BEGIN { for (i = 0; i < 2; ++i) for (j = 0; j < 2; ++j) print "v", 5e5 + i, 5e5 + j, 0; print "f 1 3 4\nf 1 4 2" }' >near.obj
+check "far from the origin as STL" run 0 near.obj far.stl --iterations 0 --no-distance
+check "less than its rounding asked for" run 0 far.stl o.off --absolute-error .001
+check "which is said" says "the coordinates of IN are rounded to 0.031, which is more than the error asked for"
+check "not where it is more" run 0 far.stl o.off --absolute-error .1
+check "then nothing is said of it" [ "$(grep -c 'are rounded to' stderr)" -eq 0 ]
 refuses 1 "--merge must be a finite number above 0, not 0" $sphere precious.off --merge 0
 torn off 0 >single.off
 check "points that coincide" run 0 single.off o.off $nothing

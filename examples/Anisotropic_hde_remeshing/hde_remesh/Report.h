@@ -38,6 +38,7 @@ struct Report
   std::string kernel, scheme, embedding;   // no kernel without a function
   bool has_6d_lengths = true;              // the embedding is the paper's
   double diagonal = 0;                     // of the bounding box of the input
+  double rounding = 0;                     // of its coordinates, as its file has them
   std::optional<std::size_t> number_of_target_faces;
   std::optional<double> error; // asked for
   Hde::Remeshing_result result;

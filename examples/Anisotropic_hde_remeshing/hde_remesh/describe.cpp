@@ -93,6 +93,9 @@ void add_warnings(Report& report)
   static constexpr double largest_distance = 0.02; // of the diagonal
   const std::vector<std::string> of_result = report.result.warnings();
   report.warnings.insert(report.warnings.end(), of_result.begin(), of_result.end()); // after those of the reading
+  if (report.error && report.rounding > *report.error)
+    report.warnings.push_back("the coordinates of IN are rounded to " + in_short(report.rounding) +
+                              ", which is more than the error asked for");
   if (report.distance && !(report.distance->max() <= largest_distance * report.diagonal))
     report.warnings.push_back("IN and OUT are up to " + in_short(report.distance->max() / report.diagonal) + " D apart");
 }

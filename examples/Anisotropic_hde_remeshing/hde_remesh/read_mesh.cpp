@@ -147,6 +147,7 @@ Checked_mesh read_mesh(const Options& options, Report& report)
   Soup soup = read_soup(options.input);
   check_points(soup, options.input);
   report.notes = soup.notes;
+  report.rounding = soup.rounding;
   mend(options, soup, report);
   Checked_mesh input = mesh_of_soup(soup, options.input);
   if (input.number_of_isolated_vertices > 0)

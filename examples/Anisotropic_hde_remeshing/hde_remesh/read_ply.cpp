@@ -170,7 +170,7 @@ public:
 
   double rounding(const std::vector<Point_3>& points, const Ply_type type) const
   {
-    return type == Ply_type::FLOAT32 ? rounding_of_floats(points) : rounding_of_doubles(points);
+    return type == Ply_type::FLOAT32 ? rounding_of_floats(points) : rounding_of_binary_doubles(points);
   }
 
 private:

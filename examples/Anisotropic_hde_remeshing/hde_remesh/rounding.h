@@ -41,10 +41,33 @@ double unit_in_last_place(const std::vector<Point_3>& points)
 inline double rounding_of_floats(const std::vector<Point_3>& points) { return unit_in_last_place<float>(points); }
 inline double rounding_of_doubles(const std::vector<Point_3>& points) { return unit_in_last_place<double>(points); }
 
-// as the numbers of the text are written
+// Whether all coordinates are floats, up to half of the unit in their last place. So it is if a program has computed in float, however
+// many digits its file has. Of other numbers hardly any is one by chance.
+template <typename Unit>
+bool are_floats(const std::vector<Point_3>& points, const Unit& unit_in_last_place)
+{
+  for (const Point_3& p : points)
+    for (int i = 0; i < 3; ++i)
+    {
+      const double x = p[i];
+      if (!(std::abs(x - static_cast<double>(static_cast<float>(x))) <= 0.5 * unit_in_last_place(std::abs(x))))
+        return false;
+    }
+  return true;
+}
+
+// of binary numbers in double, which may come from floats
+inline double rounding_of_binary_doubles(const std::vector<Point_3>& points)
+{
+  return are_floats(points, [](double) { return 0.; }) ? rounding_of_floats(points) : rounding_of_doubles(points);
+}
+
+// as the numbers of the text are written, or as the floats that they come from
 inline double rounding_of_text(const std::vector<Point_3>& points, const Text_reader& reader)
 {
-  return (std::max)(rounding_of_doubles(points), reader.unit_in_last_place(largest_coordinate(points)));
+  const auto unit = [&](const double size) { return reader.unit_in_last_place(size); };
+  const double rounding = (std::max)(rounding_of_doubles(points), unit(largest_coordinate(points)));
+  return are_floats(points, unit) ? (std::max)(rounding, rounding_of_floats(points)) : rounding;
 }
 
 } // namespace hde_remesh
