@@ -54,8 +54,8 @@ void check_more_faces(const std::string& name, const Mesh& input, const std::siz
             << " needles, largest distance " << distance.max() / height << " heights" << std::endl;
   CHECK(is_reached(result, wanted));
   CHECK(result.sigma == 0); // no embedding, and so no function
-  CHECK(distance.max() <= 4 * height);
-  CHECK(distance.rms() <= height / 2);
+  CHECK(distance.max() <= height);
+  CHECK(distance.rms() <= height / 4);
   remeshing_checks::check_same_topology(input, mesh);
   // at most what a chain of needles has that is not done
   CHECK(10 * result.number_of_needles <= result.number_of_faces);
@@ -63,7 +63,7 @@ void check_more_faces(const std::string& name, const Mesh& input, const std::siz
 
 void check_shape(const std::string& name, const Mesh& input, const std::size_t wanted, const double height)
 {
-  check_more_faces(name, input, wanted, height, params::number_of_iterations(6));
+  check_more_faces(name, input, wanted, height, params::do_split(true));
   check_more_faces(name + ", sharp", input, wanted, height, params::sharp_angle(40));
 }
 

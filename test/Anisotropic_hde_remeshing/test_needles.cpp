@@ -118,16 +118,16 @@ Mesh cone(const std::size_t sides, const double height)
   return to_mesh(soup);
 }
 
-bool has_vertex(const Mesh& mesh, const Point_3& p)
+bool has_vertex(const Mesh& mesh, const Point_3& p, const double largest_distance = 0)
 {
   for (const auto v : mesh.vertices())
-    if (mesh.point(v) == p)
+    if (CGAL::squared_distance(mesh.point(v), p) <= largest_distance * largest_distance)
       return true;
   return false;
 }
 
-// The tip stays, with and without creases. With them the sides are straight: the mesh is off by less than its edges may cut off a
-// circle. Without them the rim is rounded.
+// The tip stays, with and without creases. With them, and nothing asked of the embedding, the measured error leads, and the tip is a
+// vertex like any other, for which there is no better place. Without them the rim is rounded.
 void test_cone(const std::size_t sides, const double height, const std::size_t wanted)
 {
   const Mesh before = cone(sides, height);
@@ -138,11 +138,11 @@ void test_cone(const std::size_t sides, const double height, const std::size_t w
   for (const Mesh* after : {&smooth, &sharp})
   {
     remeshing_checks::check_same_topology(before, *after);
-    CHECK(has_vertex(*after, Point_3(0, 0, height)));
+    CHECK(has_vertex(*after, Point_3(0, 0, height), after == &sharp ? 0.01 * length : 0));
     const double distance = Hde::measure_distance<Tag>(*after, before).max();
     std::cout << "cone of height " << height << ", " << wanted << " asked: " << distance / length << " edges off" << std::endl;
     if (after == &sharp)
-      CHECK(distance < 0.6 * length);
+      CHECK(distance < 0.05 * length);
   }
 }
 

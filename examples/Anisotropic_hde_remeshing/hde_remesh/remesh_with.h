@@ -32,7 +32,8 @@ Remeshing_result remesh_with_field(Mesh& mesh, const Function_view& function, co
                                    Progress& progress);
 
 template <typename NamedParameters>
-Remeshing_result remesh_with_all(Mesh& mesh, const Function_view& function, const Options& o, const NamedParameters& np)
+Remeshing_result remesh_with_all(Mesh& mesh, const Function_view& function, const Options& o, const NamedParameters& np,
+                                 const bool is_split_only = false)
 {
   // what the scheme has where nothing is given
   const auto defaults = CGAL::Anisotropic_hde_remeshing::internal::iteration_parameters(np);
@@ -41,7 +42,7 @@ Remeshing_result remesh_with_all(Mesh& mesh, const Function_view& function, cons
       mesh, function,
       np.face_patch_map(creases.region)
           .edge_is_constrained_map(creases.is_crease)
-          .number_of_iterations(o.iterations.value_or(defaults.number_of_iterations))
+          .number_of_iterations(o.iterations.value_or(is_split_only ? 0 : defaults.number_of_iterations))
           .number_of_relaxation_steps(o.relaxation_steps.value_or(defaults.number_of_relaxation_steps))
           .smoothing_ratio(o.smoothing_ratio.value_or(defaults.smoothing_ratio))
           .collapse_ratio(o.collapse_ratio.value_or(defaults.collapse_ratio))
@@ -61,7 +62,9 @@ Remeshing_result remesh_with(const Embedding& embedding, Mesh& mesh, const Funct
   if (sizes.edge_length)
     return remesh_with_all(mesh, function, o, np.target_edge_length(*sizes.edge_length));
   if (!sizes.error)
-    return remesh_with_all(mesh, function, o, np.number_of_target_faces(*sizes.number_of_faces));
+    return remesh_with_all(mesh, function, o, np.number_of_target_faces(*sizes.number_of_faces),
+                           sizes.scheme == CGAL::Anisotropic_hde_remeshing::Remeshing_scheme::MEASURED_ERROR &&
+                               *sizes.number_of_faces > mesh.number_of_faces());
   const std::size_t most = CGAL::Anisotropic_hde_remeshing::internal::largest_number_of_faces;
   return remesh_with_all(mesh, function, o,
                          np.approximation_error(*sizes.error).number_of_target_faces(sizes.number_of_faces.value_or(most)));

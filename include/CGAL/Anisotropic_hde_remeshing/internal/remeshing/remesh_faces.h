@@ -144,10 +144,15 @@ Remeshing_result remesh_faces(const FaceRange& faces, TriangleMesh& tmesh, const
     mesh.set_input_regions(regions_of_faces(origin, creases.face_region, number_of_pieces(function)));
   const Embedding embedding = embedding_parameter(np, origin.diagonal), embedding_in_unit = embedding.in_unit(origin.unit);
   const double unit_of_lengths = embedding_in_unit.unit_of_lengths(origin.unit);
-  const Remeshing_parameters parameters =
+  Remeshing_parameters parameters =
       remeshing_parameters(np, embedding_in_unit, origin.diagonal, origin.unit, mesh.number_of_faces());
-  if (parameters.scheme == Remeshing_scheme::MEASURED_ERROR && !(parameters.error > 0))
+  if (parameters.scheme == Remeshing_scheme::MEASURED_ERROR && !(parameters.error > 0) &&
+      parameters.target.number_of_faces() > double(mesh.number_of_faces()))
+  {
     split_faces(mesh, parameters.target.number_of_faces(), interruption);
+    if constexpr (!is_given<NamedParameters, internal_np::number_of_iterations_t>)
+      parameters.number_of_iterations = 0; // it cannot come nearer to the input
+  }
   const Input_surface input(points_of(mesh), facets_of(mesh), origin.diagonal / origin.unit);
   auto intersections = intersections_parameter(np, mesh, tmesh, vpm, origin, is_whole_mesh);
   try
