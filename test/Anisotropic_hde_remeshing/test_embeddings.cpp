@@ -168,7 +168,7 @@ void test_gradation()
       const internal::Vector edge = b.point - a.point;
       const double at_a = std::sqrt(a.squared_length(edge)) / length, at_b = std::sqrt(b.squared_length(edge)) / length;
       // the metric of a, grown along the edge, is no more than that of b
-      largest = (std::max)(largest, at_a / (1 + at_a * std::log(1.5)) / at_b);
+      largest = (std::max)(largest, at_a / (1 + at_a * std::log(Hde::Metric_bounds().gradation)) / at_b);
     }
     return largest;
   };

@@ -31,8 +31,10 @@ struct Metric_bounds
 {
   double shortest_edge = 1e-4; ///< no edge needs to be shorter, as a share of the diagonal of the bounding box of the mesh
   double longest_edge = 0.25;  ///< no edge shall be longer, as a share of the same diagonal
-  double turn = 0.8;           ///< the normal turns by no more than this along an edge, in radians
-  double gradation = 1.5;      ///< largest ratio of the lengths that the metric asks of neighbouring edges, above 1
+  /// The normal turns by no more than this along an edge, in radians. By default there is no such bound: on what is finer than the
+  /// faces, such as hair or noise, it takes faces from all the rest.
+  double turn = (std::numeric_limits<double>::infinity)();
+  double gradation = 2; ///< largest ratio of the lengths that the metric asks of neighbouring edges, above 1
 };
 
 namespace internal {
@@ -43,7 +45,8 @@ inline const Metric_bounds& checked_bounds(const Metric_bounds& bounds)
   checked_positive("Metric_bounds::longest_edge", bounds.longest_edge);
   if (!(bounds.shortest_edge < bounds.longest_edge))
     throw_invalid_argument("Metric_bounds::longest_edge", bounds.longest_edge, "longer than shortest_edge");
-  checked_positive("Metric_bounds::turn", bounds.turn);
+  if (!(bounds.turn > 0))
+    throw_invalid_argument("Metric_bounds::turn", bounds.turn, "above 0");
   if (!(bounds.gradation > 1))
     throw_invalid_argument("Metric_bounds::gradation", bounds.gradation, "above 1");
   return bounds;

@@ -40,6 +40,7 @@ typedef internal::Working_mesh<Embedding::Vertex_data> Mesh;
 typedef CGAL::Sequential_tag Tag;
 
 constexpr std::size_t largest_number_of_faces = 1500;
+constexpr double expected_height = 0.1; // of edges; the meshes are of size 1 about
 constexpr int largest_number_of_operations = 20;
 
 // the bytes of the fuzzer, then zeros
@@ -94,6 +95,8 @@ public:
   {
     load(soup);
     m_guard.update_all<Tag>(m_never);
+    m_guard.keep_landmarks(
+        internal::Expected_heights{expected_height, std::vector<double>(internal::vertex_capacity(m_mesh), expected_height)});
     m_euler_characteristic = euler_characteristic();
     m_number_of_borders = number_of_borders();
     m_number_of_folds = number_of_folds();
@@ -127,7 +130,7 @@ public:
       m_smooth(input.from(0, 1), input.byte() % 2 == 0 ? internal::Smoothing_step::PREDICT : internal::Smoothing_step::PROJECT);
       break;
     default:
-      internal::reorder_in_space<Tag>(m_mesh, m_never);
+      m_guard.renumber_landmarks(internal::reorder_in_space<Tag>(m_mesh, m_never));
       m_guard.update_all<Tag>(m_never);
     }
     check(operation);

@@ -19,6 +19,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Visitor_reference.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/curves/Curve_network.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/Operation_guard.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/expected_heights.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/Mesh_reorderer.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/write_stage.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/operations/Local_operations.h>
@@ -102,6 +103,7 @@ public:
   // requires that the target is found
   void run()
   {
+    keep_landmarks();
     for (; !m_plan.is_done() && go_further(); m_plan.advance())
     {
       if (m_parameters.scheme == Remeshing_scheme::PAPER)
@@ -114,6 +116,7 @@ public:
       if (m_plan.is_first())
         reorder(); // most of the final vertices exist by now
       update_target();
+      scale_landmarks();
       if (m_error.is_active() && !m_plan.is_settling()) // the last iterations settle at a number
         m_error.approach(m_target);
       report_progress(1);
@@ -125,6 +128,21 @@ public:
   const Remeshing_report& report() const { return m_report; }
 
 private:
+  // Nothing may be lost that the target length does not explain: distances grow with its square.
+  void keep_landmarks()
+  {
+    if (m_plan.is_done())
+      return;
+    m_length_of_landmarks = m_target.length();
+    m_guard.keep_landmarks(expected_heights<ConcurrencyTag>(m_mesh, m_embedding, m_target.length()));
+  }
+
+  void scale_landmarks()
+  {
+    const double ratio = m_target.length() / m_length_of_landmarks;
+    m_guard.scale_landmarks(ratio * ratio);
+  }
+
   // Updates the target length, and a metric that follows from the curvature, to the mesh. The bounds of the metric refer to the
   // target length. As long as there is none, the metric has no bounds.
   void update_target()
@@ -185,7 +203,9 @@ private:
 
   void reorder()
   {
-    reorder_in_space<ConcurrencyTag>(m_mesh, m_interruption);
+    const std::vector<Face_index> new_faces = reorder_in_space<ConcurrencyTag>(m_mesh, m_interruption);
+    if (!new_faces.empty())
+      m_guard.renumber_landmarks(new_faces);
     m_guard.template update_all<ConcurrencyTag>(m_interruption);
   }
 
@@ -316,18 +336,29 @@ private:
       if (ratio > largest_ratio_with_creases)
         return;
     }
-    const double longest = m_plan.is_settling() ? longest_of_settling : m_parameters.split_ratio;
-    // where the mesh is very regular, the guards refuse most of the edges: the bounds are widened while it settles
-    for (const double factor : {1., 1.15, 1.3})
+    if (!m_plan.is_settling())
     {
-      const double excess = double(m_mesh.number_of_faces()) - number_of_faces;
-      if (excess >= 2)
-        m_operations.collapse(factor * length, factor * longest * length, std::size_t(excess / 2));
-      else if (excess <= -2)
-        m_operations.split(length / factor, std::size_t(-excess / 2));
-      if (!m_plan.is_settling())
-        break;
+      approach_number_of_faces(number_of_faces, length, 1, m_parameters.split_ratio);
+      return;
     }
+    // where the mesh is very regular, the guards refuse most of the edges: the bounds are widened
+    for (const bool is_regular : {false, true})
+    {
+      m_guard.expect_regular_mesh(is_regular);
+      for (const double factor : {1., 1.15, 1.3})
+        approach_number_of_faces(number_of_faces, length, factor, longest_of_settling);
+    }
+    m_guard.expect_regular_mesh(false);
+  }
+
+  // `factor` is that of the bounds, `longest` the longest edge that contractions may make, over the length
+  void approach_number_of_faces(const double number_of_faces, const double length, const double factor, const double longest)
+  {
+    const double excess = double(m_mesh.number_of_faces()) - number_of_faces;
+    if (excess >= 2)
+      m_operations.collapse(factor * length, factor * longest * length, std::size_t(excess / 2));
+    else if (excess <= -2)
+      m_operations.split(length / factor, std::size_t(-excess / 2));
   }
 
   bool go_further() { return !m_interruption.ask(); }
@@ -347,6 +378,7 @@ private:
   Error_control<ConcurrencyTag, Embedding, Projection, Guard, Operations, Projector> m_error;
   Target_length m_target;
   Iteration_plan m_plan;
+  double m_length_of_landmarks = 0; // the target length for which their bounds are
   Remeshing_report m_report;
 };
 

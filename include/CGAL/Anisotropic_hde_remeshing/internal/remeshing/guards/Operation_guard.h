@@ -15,9 +15,15 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/Deviation_guard.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/Face_guard.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/Fold_guard.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/Landmark_guard.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/Simultaneous_moves.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/Local_change.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/Working_mesh.h>
+
+#include <boost/container/small_vector.hpp>
+
+#include <memory>
+#include <vector>
 
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
@@ -41,31 +47,59 @@ public:
   // whether `accepts()` depends only on what is next to the change
   bool is_local() const { return !m_intersections.is_active(); }
 
+  // whether `update(change)` looks at the change
+  bool needs_changes() const { return m_intersections.is_active() || m_landmarks; }
+
+  // from now on the vertices of the mesh are landmarks; their distances are bounded by the heights
+  void keep_landmarks(const Expected_heights& heights)
+  {
+    m_landmarks = std::make_unique<Landmark_guard<Mesh>>(m_mesh, heights);
+  }
+
+  // scales the heights
+  void scale_landmarks(const double factor)
+  {
+    if (m_landmarks)
+      m_landmarks->scale(factor);
+  }
+
+  // allows landmarks to be as far as contractions in a regular mesh leave them
+  void expect_regular_mesh(const bool is_expected)
+  {
+    if (m_landmarks)
+      m_landmarks->expect_regular_mesh(is_expected);
+  }
+
   bool accepts(const Change& change) const
   {
-    return m_faces.accepts(change) && m_folds.accepts(change) && m_intersections.accepts(change) && accepts_distance(change);
+    return m_faces.accepts(change) && m_folds.accepts(change) && m_intersections.accepts(change) && accepts_distance(change) &&
+           (!m_landmarks || m_landmarks->accepts(change));
   }
 
   // The update functions are called after an operation: for the faces of a change, on both sides of an edge, or around a
   // vertex.
-  void update(const Change& change) const
-  {
-    for (const Face_index f : change.old_faces())
-      m_intersections.update(f);
-  }
+  void update(const Change& change) const { update_faces(change.old_faces()); }
 
   void update_at(const Halfedge_index h) const
   {
+    if (!needs_changes())
+      return;
+    Faces faces;
     for (const Halfedge_index side : {h, m_mesh.opposite(h)})
       if (!m_mesh.is_border(side))
-        m_intersections.update(m_mesh.face(side));
+        faces.push_back(m_mesh.face(side));
+    update_faces(faces);
   }
 
   void update_around(const Vertex_index v) const
   {
+    if (!needs_changes())
+      return;
+    Faces faces;
     for (const Halfedge_index h : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
       if (!m_mesh.is_border(h))
-        m_intersections.update(m_mesh.face(h));
+        faces.push_back(m_mesh.face(h));
+    update_faces(faces);
   }
 
   // is called after faces have got other numbers
@@ -74,6 +108,29 @@ public:
   {
     m_intersections.template assign<ConcurrencyTag>(
         [&](const Vertex_index v) -> const typename Mesh::Vertex& { return m_mesh.point(v); }, interruption);
+  }
+
+  // is called before it; `new_faces` has the new numbers by the old ones
+  void renumber_landmarks(const std::vector<Face_index>& new_faces) const
+  {
+    if (m_landmarks)
+      m_landmarks->renumber(new_faces);
+  }
+
+  // is called after all vertices may have moved
+  template <typename ConcurrencyTag>
+  void update_landmarks() const
+  {
+    if (m_landmarks)
+      m_landmarks->template walk<ConcurrencyTag>();
+  }
+
+  // takes back moves that leave landmarks behind; to be called before `revert()`, and for moves that may as well not be done
+  template <typename ConcurrencyTag>
+  void revert_losses(Simultaneous_moves<Mesh>& moves, Interruption& interruption) const
+  {
+    if (m_landmarks)
+      m_landmarks->template revert<ConcurrencyTag>(moves, interruption);
   }
 
   // takes back the moves that the guard does not accept; the others are to be done
@@ -93,6 +150,16 @@ public:
   }
 
 private:
+  typedef boost::container::small_vector<Face_index, 16> Faces;
+
+  void update_faces(const Faces& faces) const
+  {
+    for (const Face_index f : faces)
+      m_intersections.update(f);
+    if (m_landmarks)
+      m_landmarks->update(faces);
+  }
+
   // a subdivision cuts nothing off
   bool accepts_distance(const Change& change) const
   {
@@ -110,7 +177,8 @@ private:
   const Face_guard<Mesh> m_faces;
   const Fold_guard<Mesh> m_folds;
   Deviation_guard<Function> m_deviation;
-  Intersections& m_intersections; // kept up to date by the operations
+  std::unique_ptr<Landmark_guard<Mesh>> m_landmarks; // none if nobody keeps them
+  Intersections& m_intersections;                    // kept up to date by the operations
 };
 
 } // namespace internal

@@ -37,8 +37,8 @@ class Mesh_reorderer
 public:
   Mesh_reorderer(Mesh& mesh, Interruption& interruption) : m_mesh(mesh), m_interruption(interruption) {}
 
-  // leaves the mesh as it is if it is interrupted
-  void operator()()
+  // Returns the new numbers of the faces by the old ones. Leaves the mesh as it is if it is interrupted, and returns nothing.
+  std::vector<Face_index> operator()()
   {
     const auto steps = {&Mesh_reorderer::place_vertices, &Mesh_reorderer::connect_edges, &Mesh_reorderer::connect_faces,
                         &Mesh_reorderer::connect_halfedges};
@@ -46,10 +46,11 @@ public:
     {
       (this->*step)();
       if (m_interruption.ask())
-        return;
+        return {};
     }
     m_ordered.set_input_regions(m_mesh.input_regions());
     m_mesh = std::move(m_ordered);
+    return std::move(m_faces);
   }
 
 private:
@@ -122,12 +123,14 @@ private:
       const Triangle t(m_mesh.halfedge(f), m_mesh);
       return std::size_t((std::min)({m_vertices[t.a], m_vertices[t.b], m_vertices[t.c]}));
     };
+    m_faces.resize(face_capacity(m_mesh));
     auto next = m_ordered.faces().begin();
     for (const Face_index f : in_order<Face_index>(m_mesh.faces(), number))
     {
       if (m_interruption.poll())
         return;
       const Face_index added = *next++;
+      m_faces[f] = added;
       m_ordered.set_input_face(added, m_mesh.input_face(f));
       m_ordered.set_halfedge(added, m_halfedges[m_mesh.halfedge(f)]);
       for (const Halfedge_index h : m_mesh.halfedges_around_face(m_mesh.halfedge(f)))
@@ -149,13 +152,14 @@ private:
   Interruption& m_interruption;
   Mesh m_ordered;
   std::vector<Vertex_index> m_vertices;    // of the ordered mesh, by vertices of the mesh
+  std::vector<Face_index> m_faces;         // of the ordered mesh, by faces of the mesh
   std::vector<Halfedge_index> m_halfedges; // of the ordered mesh, by halfedges of the mesh
 };
 
 template <typename ConcurrencyTag, typename Mesh>
-void reorder_in_space(Mesh& mesh, Interruption& interruption)
+std::vector<Face_index> reorder_in_space(Mesh& mesh, Interruption& interruption)
 {
-  Mesh_reorderer<ConcurrencyTag, Mesh>{mesh, interruption}();
+  return Mesh_reorderer<ConcurrencyTag, Mesh>{mesh, interruption}();
 }
 
 } // namespace internal

@@ -71,13 +71,13 @@ public:
   // the edges at the target. On a curve the edge that stays gets the arc of the path that it replaces.
   Vertex_index contract(const Halfedge_index h) const
   {
-    return contract(h, m_mesh.point(m_mesh.target(h)), m_guard.is_local() ? Change(m_mesh) : change(h));
+    return contract(h, m_mesh.point(m_mesh.target(h)), m_guard.needs_changes() ? change(h) : Change(m_mesh));
   }
 
   // the same to a new state; a target on a curve must keep its own
   Vertex_index contract(const Halfedge_index h, const Vertex& kept) const
   {
-    return contract(h, kept, m_guard.is_local() ? Change(m_mesh) : change(h, kept));
+    return contract(h, kept, m_guard.needs_changes() ? change(h, kept) : Change(m_mesh));
   }
 
 private:
@@ -115,7 +115,7 @@ private:
       }
   }
 
-  // a local guard does not look at the change
+  // the change is empty where the guard does not look at it
   Vertex_index contract(const Halfedge_index h, const Vertex kept, const Change& change) const
   {
     const typename Mesh::Sides sides = m_mesh.sides(m_mesh.target(h));

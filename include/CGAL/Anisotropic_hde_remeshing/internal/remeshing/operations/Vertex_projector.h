@@ -68,6 +68,7 @@ public:
     if (interruption.is_requested())
       return false; // not all vertices have been projected, or checked
     moves.template accept<ConcurrencyTag>(m_mesh);
+    m_guard.template update_landmarks<ConcurrencyTag>();
     for (const Vertex_index v : m_mesh.vertices())
       if (is_chosen(v) && (!moves.is_moved(v) || m_mesh.point(v).is_on_input) && is_free(v) &&
           !m_projection.is_on_surface(m_mesh.point(v), region(v)))

@@ -89,10 +89,12 @@ public:
     if (m_curves.bounds_deviation())
       m_moves.template revert_edges<ConcurrencyTag>(
           [&](const Edge_index e) { return m_mesh.is_on_curve(e) && !m_curves.accepts(moved_arc(e, shifts)); }, m_interruption);
+    m_guard.template revert_losses<ConcurrencyTag>(m_moves, m_interruption);
     m_guard.template revert<ConcurrencyTag>(m_moves, m_interruption);
     if (m_interruption.ask())
       return; // not all vertices have been moved, or checked
     m_moves.template accept<ConcurrencyTag>(m_mesh);
+    m_guard.template update_landmarks<ConcurrencyTag>();
     for (const Vertex_index v : m_mesh.vertices())
       if (m_moves.is_moved(v) && m_mesh.point(v).is_on_curve)
         shift_arcs(v, shifts[v]);

@@ -116,9 +116,9 @@ private:
     Eigen::Matrix2d metric = m_embedding.metric()(vertex.point, tangent_frame(vertex.normal), shape_operator);
     if (!(m_length > 0))
       return metric;
-    // along t the normal turns by |S t|
-    const Eigen::Matrix2d of_turn = square(m_length / m_embedding.bounds().turn) * shape_operator * shape_operator;
-    return bounded_metric(metric_intersection(metric, of_turn), m_least, m_largest);
+    if (std::isfinite(m_embedding.bounds().turn)) // along t the normal turns by |S t|
+      metric = metric_intersection(metric, square(m_length / m_embedding.bounds().turn) * shape_operator * shape_operator);
+    return bounded_metric(metric, m_least, m_largest);
   }
 
   // sweeps from vertices to their neighbours until little changes
