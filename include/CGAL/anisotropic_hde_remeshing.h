@@ -99,11 +99,33 @@ locations are in a map that it does not keep itself.
     \cgalParamDescription{the embedding in which the mesh becomes uniform and isotropic, in place of the paper's. It excludes
                           `sigma` and `relative_sigma`. `Anisotropic_hde_remeshing::Curvature_metric` is for a small distance to
                           the surface, `Anisotropic_hde_remeshing::Adaptive_normal_embedding` is for meshes of which no scale is
-                          known, `Anisotropic_hde_remeshing::Scalar_field_embedding` is for a field that is to be resolved,
-                          `Anisotropic_hde_remeshing::Sized_embedding` for lengths wanted at each place.}
+                          known, `Anisotropic_hde_remeshing::Scalar_field_embedding` is for a field that is to be resolved.}
     \cgalParamType{a model of `RemeshingEmbedding` or of `RemeshingMetric`}
     \cgalParamDefault{`Anisotropic_hde_remeshing::Normal_embedding` with \f$ \sigma \f$. If an approximation error is given and
-                      sigma is not: `Anisotropic_hde_remeshing::Curvature_metric` with \f$ p = \infty \f$}
+                      sigma is not: `Anisotropic_hde_remeshing::Curvature_metric` with \f$ p = \infty \f$. If a sizing field is
+                      given and sigma is not: `Anisotropic_hde_remeshing::Normal_embedding` with \f$ \sigma = 0 \f$, as in
+                      `Polygon_mesh_processing::isotropic_remeshing()`, so that the sizes are lengths in space}
+  \cgalParamNEnd
+  \cgalParamNBegin{sizing_field}
+    \cgalParamDescription{the length that edges shall have at each place, in the embedding, in the unit of the mesh. With
+                          `number_of_target_faces` or an approximation error the sizes tell the proportions only. In a metric,
+                          faces have the area of an equilateral triangle of that size, and the bounds of the metric hold, too.
+                          Sizes should change by no more than half of a length over that length: triangles become thin where they
+                          change faster; see `gradation`. It excludes `target_edge_length` and `relative_target_edge_length`.}
+    \cgalParamType{one of these: a function object that takes a point of `vertex_point_map`, is defined on and near the surface,
+                   and may be called concurrently; a model of `ReadablePropertyMap` with the vertices of `tmesh` as keys, read once
+                   for each vertex of the faces that are remeshed; or a model of \cgal's `PMPSizingField`, of which there are two
+                   since \cgal 6.0, whose `at()` is asked once for each of these vertices. Between vertices the size is interpolated
+                   linearly on the faces of the input. All return numbers, positive and finite. `std::ref()` avoids a copy.}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
+  \cgalParamNBegin{gradation}
+    \cgalParamDescription{how much the sizes of `sizing_field` may grow on a way, over the length of the way. The size at a vertex of
+                          the input is at most that at any other one plus `gradation` times the way along the edges of the input.
+                          A function is asked at the vertices for that; elsewhere, it counts as it is where it is less than what
+                          the vertices allow. So a mesh that is too coarse for the function limits it less.}
+    \cgalParamType{a number, positive; 0.2 to 0.5 is good}
+    \cgalParamDefault{sizes grow as the field has it}
   \cgalParamNEnd
   \cgalParamNBegin{target_edge_length}
     \cgalParamDescription{the length that the edges shall have in \f$ R^6 \f$, in the unit of the mesh}
@@ -261,8 +283,9 @@ locations are in a map that it does not keep itself.
 \return what was done, and the parameters that were chosen
 
 \throw std::invalid_argument if `tmesh` has no faces, a face that is not a triangle, a vertex that is not manifold, or
-       coordinates that are not finite, if `function` is piecewise and the patch of a face is not the number of a piece, or if a
-       parameter is out of its range; the message names the parameter and its value
+       coordinates that are not finite, if `function` is piecewise and the patch of a face is not the number of a piece, if a size
+       of `sizing_field` is not positive and finite, or if a parameter is out of its range; the message names the parameter and
+       its value
 \throw std::length_error if the indices have no room: for more than \f$ 2^{32} - 2 \f$ halfedges, those of the boundary
        included, and with `fit_to_surface` for more than 238,609,294 faces
 

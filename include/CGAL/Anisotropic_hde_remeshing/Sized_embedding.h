@@ -12,6 +12,7 @@
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
 #include <CGAL/Anisotropic_hde_remeshing/Normal_embedding.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/check_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/parameter_types.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/text_of_number.h>
 
@@ -20,11 +21,24 @@
 #include <Eigen/Core>
 
 #include <cmath>
-#include <stdexcept>
 #include <type_traits>
 
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
+
+namespace internal {
+
+// Throws std::invalid_argument if the size wanted at `p` is not positive and finite.
+inline double checked_size(const double size, const Eigen::Vector3d& p)
+{
+  if (!(std::isfinite(size) && size > 0))
+    throw_invalid_argument("the size wanted at (" + text_of_number(p[0]) + ", " + text_of_number(p[1]) + ", " +
+                               text_of_number(p[2]) + ") by the sizing field",
+                           size, "finite and positive");
+  return size;
+}
+
+} // namespace internal
 
 /*!
 \ingroup PkgAnisotropicHdeRemeshingRef
@@ -77,7 +91,7 @@ public:
   double unit_of_lengths(double) const { return 1; }
 
   /// asks for the size
-  /// \throw std::domain_error if it is not positive and finite
+  /// \throw std::invalid_argument if it is not positive and finite
   template <typename Vertex>
   void place(Vertex& vertex) const
   {
@@ -115,11 +129,7 @@ private:
   void set_size(Vertex& vertex) const
   {
     const Eigen::Vector3d p = m_unit * vertex.point;
-    const double size = CGAL::to_double(m_size(Point(p[0], p[1], p[2])));
-    if (!(std::isfinite(size) && size > 0))
-      throw std::domain_error("the size wanted at (" + internal::text_of_number(p[0]) + ", " + internal::text_of_number(p[1]) +
-                              ", " + internal::text_of_number(p[2]) + ") is " + internal::text_of_number(size) +
-                              ", not positive and finite");
+    const double size = internal::checked_size(CGAL::to_double(m_size(Point(p[0], p[1], p[2]))), p);
     vertex.size = size / m_unit_of_lengths;
   }
 

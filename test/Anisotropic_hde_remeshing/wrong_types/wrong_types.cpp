@@ -84,6 +84,10 @@ void remeshing()
   remesh(sigma("0.02")); // the named parameter sigma takes a number
   remesh(relative_sigma(std::string())); // the named parameter relative_sigma takes a number
   remesh(embedding(2.0)); // the named parameter embedding takes a model of RemeshingEmbedding
+  remesh(sizing_field("fine")); // the named parameter sizing_field takes a function of a point, a property map from the vertices of the mesh to numbers, or a model of PMPSizingField
+  remesh(sizing_field([](const Mesh&) { return 1.; })); // the named parameter sizing_field takes a function of a point, a property map from the vertices of the mesh to numbers, or a model of PMPSizingField
+  remesh(sizing_field(of_edges)); // the named parameter sizing_field takes a function of a point, a property map from the vertices of the mesh to numbers, or a model of PMPSizingField
+  remesh(sizing_field(of_vertices).gradation("slow")); // the named parameter gradation takes a number
   remesh(target_edge_length(true)); // the named parameter target_edge_length takes a number
   remesh(relative_target_edge_length(&mesh)); // the named parameter relative_target_edge_length takes a number
   remesh(number_of_target_faces("many")); // the named parameter number_of_target_faces takes an integer

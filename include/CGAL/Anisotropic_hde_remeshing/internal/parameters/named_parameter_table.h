@@ -19,6 +19,8 @@
 CGAL_AHR_NAMED_PARAMETER(sigma, Is_number, "a number")
 CGAL_AHR_NAMED_PARAMETER(relative_sigma, Is_number, "a number")
 CGAL_AHR_NAMED_PARAMETER(embedding, Is_embedding_or_metric, "a model of RemeshingEmbedding or RemeshingMetric, such as Curvature_metric(2)")
+CGAL_AHR_NAMED_PARAMETER(sizing_field, Is_sizing_field, "a function of a point, a property map from the vertices of the mesh to numbers, or a model of PMPSizingField")
+CGAL_AHR_NAMED_PARAMETER(gradation, Is_number, "a number")
 CGAL_AHR_NAMED_PARAMETER(target_edge_length, Is_number, "a number")
 CGAL_AHR_NAMED_PARAMETER(relative_target_edge_length, Is_number, "a number")
 CGAL_AHR_NAMED_PARAMETER(number_of_target_faces, Is_count, "an integer")

@@ -14,6 +14,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/Input_location.h>
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_scheme.h>
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_visitor.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/sizing_field_types.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/type_traits.h>
 #include <CGAL/Anisotropic_hde_remeshing/parameters.h>
 
@@ -279,6 +280,8 @@ struct Parameters_of_sizes
     return Takes_sigma::template accepts<NamedParameters, Subject>() &&
            Takes_relative_sigma::template accepts<NamedParameters, Subject>() &&
            Takes_embedding::template accepts<NamedParameters, Subject>() &&
+           Takes_sizing_field::template accepts<NamedParameters, Subject>() &&
+           Takes_gradation::template accepts<NamedParameters, Subject>() &&
            Takes_target_edge_length::template accepts<NamedParameters, Subject>() &&
            Takes_relative_target_edge_length::template accepts<NamedParameters, Subject>() &&
            Takes_number_of_target_faces::template accepts<NamedParameters, Subject>() &&

@@ -32,12 +32,14 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/remesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/remesh_by_error.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/remeshing_parameters.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/sizing_field_parameter.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/split_input.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/targets/Target_length.h>
 
 #include <CGAL/Real_timer.h>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -126,7 +128,7 @@ Remeshing_result remesh_faces(const FaceRange& faces, TriangleMesh& tmesh, const
   Interruption interruption([&visitor] { return visitor.go_further(); });
   const auto constraints = mesh_constraints<TriangleMesh>(np, creases);
 
-  typedef Embedding_parameter<NamedParameters> Embedding;
+  typedef typename Embedding_with_sizes<NamedParameters>::type Embedding;
   typedef Working_mesh<typename Embedding::Vertex_data> Mesh;
   Remeshing_result result;
   Mesh mesh;
@@ -142,7 +144,21 @@ Remeshing_result remesh_faces(const FaceRange& faces, TriangleMesh& tmesh, const
   }
   if constexpr (is_piecewise<Function>)
     mesh.set_input_regions(regions_of_faces(origin, creases.face_region, number_of_pieces(function)));
-  const Embedding embedding = embedding_parameter(np, origin.diagonal), embedding_in_unit = embedding.in_unit(origin.unit);
+  const auto embedding_without_sizes = embedding_parameter(np, origin.diagonal);
+  std::optional<Input_surface> input_with_sizes; // none if no sizes are asked for
+  const Embedding embedding = [&]
+  {
+    if constexpr (is_given<NamedParameters, internal_np::sizing_field_t>)
+    {
+      input_with_sizes.emplace(points_of(mesh), origin.facets, origin.diagonal / origin.unit);
+      return embedding_with_sizes(embedding_without_sizes,
+                                  sizing_field_parameter<Value_of_map<decltype(vpm), Vertex_of<TriangleMesh>>>(
+                                      np, tmesh, origin.vertices, *input_with_sizes, origin.unit));
+    }
+    else
+      return embedding_without_sizes;
+  }();
+  const Embedding embedding_in_unit = embedding.in_unit(origin.unit);
   const double unit_of_lengths = embedding_in_unit.unit_of_lengths(origin.unit);
   Remeshing_parameters parameters =
       remeshing_parameters(np, embedding_in_unit, origin.diagonal, origin.unit, mesh.number_of_faces());
@@ -173,11 +189,11 @@ Remeshing_result remesh_faces(const FaceRange& faces, TriangleMesh& tmesh, const
   }
   catch (const Too_many_faces& too_many)
   {
-    throw_too_many_faces(too_many, unit_of_lengths);
+    throw_too_many_faces<NamedParameters>(too_many, unit_of_lengths);
   }
-  if constexpr (std::is_same<Embedding, Normal_embedding>::value)
+  if constexpr (std::is_same<Embedding_parameter<NamedParameters>, Normal_embedding>::value)
     if (parameters.scheme != Remeshing_scheme::MEASURED_ERROR)
-      result.sigma = embedding.sigma();
+      result.sigma = embedding_without_sizes.sigma();
   result.was_stopped = interruption.is_requested();
   if (result.was_stopped && result.number_of_iterations == 0)
     return result; // some vertices may not be on the surface yet

@@ -111,8 +111,9 @@ template <typename NamedParameters>
 constexpr bool is_error_given = is_given<NamedParameters, internal_np::approximation_error_t> ||
                                 is_given<NamedParameters, internal_np::relative_approximation_error_t>;
 
-// The embedding that is given, or that of the metric that is given. Without one it is the paper's, with sigma in the unit of the mesh or as a share of the diagonal
-// of its bounding box. If only an error is given, it is the metric of the largest distance.
+// The embedding that is given, or that of the metric that is given. Without one it is the paper's, with sigma in the unit of the mesh or
+// as a share of the diagonal of its bounding box. If only sizes are given, they are lengths in space, as in PMP's isotropic_remeshing. If
+// only an error is given, it is the metric of the largest distance.
 template <typename NamedParameters>
 auto embedding_parameter(const NamedParameters& np, const double diagonal)
 {
@@ -135,6 +136,8 @@ auto embedding_parameter(const NamedParameters& np, const double diagonal)
   else if constexpr (has_relative_sigma)
     return Normal_embedding(
         diagonal * checked_not_negative("relative_sigma", CGAL::to_double(get_parameter(np, internal_np::relative_sigma))));
+  else if constexpr (is_given<NamedParameters, internal_np::sizing_field_t>)
+    return Normal_embedding(0);
   else if constexpr (is_error_given<NamedParameters>)
     return Metric_embedding<Curvature_metric>(Curvature_metric(std::numeric_limits<double>::infinity()));
   else
@@ -143,6 +146,15 @@ auto embedding_parameter(const NamedParameters& np, const double diagonal)
 
 template <typename NamedParameters>
 using Embedding_parameter = decltype(embedding_parameter(std::declval<NamedParameters>(), 1.));
+
+// how much sizes may grow on a way, over its length
+template <typename NamedParameters>
+double gradation_parameter(const NamedParameters& np)
+{
+  static_assert(is_given<NamedParameters, internal_np::sizing_field_t>,
+                "gradation is that of sizing_field, which is not given");
+  return checked_positive("gradation", CGAL::to_double(parameters::get_parameter(np, internal_np::gradation)));
+}
 
 // the error in the unit of the mesh; 0 if none is given
 template <typename NamedParameters>
@@ -168,7 +180,10 @@ Target_length target_length(const NamedParameters& np, const double diagonal, co
 {
   constexpr bool has_length = is_given<NamedParameters, internal_np::target_edge_length_t>,
                  has_relative_length = is_given<NamedParameters, internal_np::relative_target_edge_length_t>,
-                 has_count = is_given<NamedParameters, internal_np::number_of_target_faces_t>;
+                 has_count = is_given<NamedParameters, internal_np::number_of_target_faces_t>,
+                 has_sizes = is_given<NamedParameters, internal_np::sizing_field_t>;
+  static_assert(!has_sizes || !(has_length || has_relative_length),
+                "sizing_field excludes target_edge_length and relative_target_edge_length");
   static_assert(!is_error_given<NamedParameters> || !(has_length || has_relative_length),
                 "an approximation error excludes a target length");
   static_assert(int(has_length) + int(has_relative_length) + int(has_count) <= 1,
@@ -187,6 +202,8 @@ Target_length target_length(const NamedParameters& np, const double diagonal, co
         "number_of_target_faces", get_parameter(np, internal_np::number_of_target_faces), largest_number_of_faces));
   else if constexpr (is_error_given<NamedParameters>)
     return Target_length::of_number_of_faces(largest_number_of_faces);
+  else if constexpr (has_sizes)
+    return Target_length::of_length(1); // the lengths are relative to the sizes
   else
     return Target_length::of_number_of_faces(number_of_faces);
 }
@@ -204,9 +221,12 @@ inline void check_number_of_faces(const Target_length& target)
 }
 
 // `unit_of_lengths` is that of lengths in the embedding, in the caller's unit
-[[noreturn]] inline void throw_too_many_faces(const Too_many_faces& too_many, const double unit_of_lengths)
+template <typename NamedParameters>
+[[noreturn]] void throw_too_many_faces(const Too_many_faces& too_many, const double unit_of_lengths)
 {
-  throw_invalid_argument("the target edge length", too_many.length * unit_of_lengths,
+  constexpr bool has_sizes = is_given<NamedParameters, internal_np::sizing_field_t>;
+  throw_invalid_argument(has_sizes ? "the target edge length in units of sizing_field" : "the target edge length",
+                         too_many.length * unit_of_lengths,
                          "so large that the mesh has at most " + text_of_number(double(largest_number_of_faces)) +
                              " faces, not about " + text_of_estimate(too_many.number_of_faces));
 }
@@ -238,7 +258,7 @@ template <typename NamedParameters>
 constexpr bool leaves_embedding_and_function_open =
     (is_given<NamedParameters, internal_np::number_of_target_faces_t> || is_error_given<NamedParameters>)&&is_none_given<
         NamedParameters, internal_np::sigma_t, internal_np::relative_sigma_t, internal_np::embedding_t,
-        internal_np::split_ratio_t, internal_np::collapse_ratio_t, internal_np::smoothing_ratio_t,
+        internal_np::sizing_field_t, internal_np::split_ratio_t, internal_np::collapse_ratio_t, internal_np::smoothing_ratio_t,
         internal_np::number_of_relaxation_steps_t>&& is_none_given<NamedParameters, internal_np::number_of_patches_t,
                                                                    internal_np::patch_overlap_t, internal_np::offset_distance_t,
                                                                    internal_np::relative_offset_distance_t,
@@ -287,6 +307,8 @@ void check_parameters(const NamedParameters& np)
   const Remeshing_parameters parameters = iteration_parameters(np);
   embedding_parameter(np, 1);
   error_parameter(np, 1);
+  if constexpr (is_given<NamedParameters, internal_np::gradation_t>)
+    gradation_parameter(np);
   const Target_length target = target_length(np, 1, 1, 1);
   if (parameters.fit_to_surface && is_given<NamedParameters, internal_np::number_of_target_faces_t> &&
       !is_error_given<NamedParameters>)
