@@ -173,7 +173,8 @@ public:
       \cgalParamDefault{one for 25 points}
     \cgalParamNEnd
     \cgalParamNBegin{visitor}
-      \cgalParamDescription{its `go_further()` is asked every few milliseconds, and may stop the construction}
+      \cgalParamDescription{its `go_further()` is asked every few milliseconds, and may stop the construction. Its `progress()`
+                            is told the share of the construction that is done, from 0 to 1.}
       \cgalParamType{a model of `RemeshingVisitor`}
       \cgalParamDefault{`Anisotropic_hde_remeshing::Remeshing_visitor`}
     \cgalParamNEnd
@@ -240,10 +241,12 @@ private:
     internal::interpolation_parameters(np); // throws if one is wrong
     Anisotropic_hde_remeshing::Remeshing_visitor nobody;
     internal::Visitor_parameter<NamedParameters> visitor = internal::visitor_parameter(np, nobody);
-    internal::Interruption interruption([&visitor] { return visitor.go_further(); });
+    internal::Interruption interruption([&visitor] { return visitor.go_further(); },
+                                        [&visitor](const double share) { visitor.progress(share); });
     const std::vector<internal::Region_mesh> regions = internal::split_regions(
         tmesh, choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tmesh)),
         face_region, interruption);
+    interruption.report(internal::share_of_sample);
     const auto data = std::make_shared<Data>();
     for (auto& function : internal::build_region_functions<Field, ConcurrencyTag>(regions, np, interruption))
     {
@@ -252,6 +255,7 @@ private:
     }
     data->diagnostics.seconds = timer.time();
     m_data = data;
+    interruption.report(1);
   }
 
   std::shared_ptr<const Data> m_data;

@@ -189,7 +189,8 @@ public:
       \cgalParamDefault{`RadialFunction()`}
     \cgalParamNEnd
     \cgalParamNBegin{visitor}
-      \cgalParamDescription{its `go_further()` is asked every few milliseconds, and may stop the construction}
+      \cgalParamDescription{its `go_further()` is asked every few milliseconds, and may stop the construction. Its `progress()`
+                            is told the share of the construction that is done, from 0 to 1, at least four times.}
       \cgalParamType{a model of `RemeshingVisitor`}
       \cgalParamDefault{`Anisotropic_hde_remeshing::Remeshing_visitor`}
     \cgalParamNEnd
@@ -284,10 +285,12 @@ private:
     internal::Interpolation_parameters interpolation = internal::interpolation_parameters(np);
     Anisotropic_hde_remeshing::Remeshing_visitor nobody;
     internal::Visitor_parameter<NamedParameters> visitor = internal::visitor_parameter(np, nobody);
-    internal::Interruption interruption([&visitor] { return visitor.go_further(); });
+    internal::Interruption interruption([&visitor] { return visitor.go_further(); },
+                                        [&visitor](const double share) { visitor.progress(share); });
     const RadialFunction function =
         choose_parameter(get_parameter(np, Anisotropic_hde_remeshing::internal_np::radial_function), RadialFunction());
     const std::shared_ptr<const Surface_sample> sample = internal::sample_input<ConcurrencyTag>(input, np, interruption);
+    interruption.report(internal::share_of_sample);
     m_normalization = sample->normalization;
     m_squared_radius = squared_radius(*sample);
     interpolation.absolute_offset *= m_normalization.scale;
@@ -295,6 +298,7 @@ private:
     m_interpolant = std::make_shared<const Interpolant>(sample, internal::distance_to_input<MeshOrPointRange>(sample),
                                                         interpolation, function, m_normalization.scale, interruption);
     m_diagnostics = complete(m_interpolant->diagnostics(), m_interpolant->sample(), input_seconds);
+    interruption.report(1);
   }
 
   template <int order>

@@ -18,6 +18,8 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <thread>
+#include <utility>
 #include <vector>
 
 using namespace shapes;
@@ -278,6 +280,123 @@ void test_interrupted_function()
   CHECK_THROWS(Rbf_function(ellipsoid(5), params::visitor(Stopping_visitor())), Hde::Interrupted);
 }
 
+// --- while the function is built ---
+
+// hears shares and stages with their times, on one thread, and stops at a share
+struct Building_visitor : Hde::Remeshing_visitor
+{
+  std::thread::id owner = std::this_thread::get_id();
+  double largest_share = 2;
+  std::vector<Hde::Stage> stages;
+  std::vector<double> shares, seconds, shares_of_function;
+  Clock::time_point begin = Clock::now();
+
+  Building_visitor() = default;
+  Building_visitor(const Building_visitor&) = delete;
+  void stage_started(const Hde::Stage stage)
+  {
+    CHECK(std::this_thread::get_id() == owner);
+    if (stage == Hde::Stage::PROJECTION)
+      shares_of_function = shares;
+    stages.push_back(stage);
+  }
+  void progress(const double share)
+  {
+    CHECK(std::this_thread::get_id() == owner);
+    CHECK(share <= 1 && (shares.empty() || share >= shares.back()));
+    shares.push_back(share);
+    seconds.push_back(seconds_since(begin));
+  }
+  bool go_further() { return shares.empty() || shares.back() < largest_share; }
+};
+
+// signs come all the time, up to this share
+void check_signs(const std::string& name, const std::vector<double>& shares, const double whole)
+{
+  CHECK(shares.size() >= 4);
+  if (shares.empty())
+    return;
+  double largest_gap = shares.front();
+  for (std::size_t i = 1; i < shares.size(); ++i)
+    largest_gap = (std::max)(largest_gap, shares[i] - shares[i - 1]);
+  std::cout << name << ": " << shares.size() << " signs, largest gap " << largest_gap / whole << " of the construction"
+            << std::endl;
+  CHECK_CLOSE(shares.back(), whole, 1e-12);
+  CHECK(largest_gap <= 0.2 * whole);
+}
+
+// two regions, one of them large
+template <typename FaceRegionMap>
+void mark_regions(const Mesh& mesh, const FaceRegionMap regions)
+{
+  for (const Mesh::Face_index f : mesh.faces())
+    regions[f] = mesh.point(mesh.target(mesh.halfedge(f))).z() > -4 ? 0 : 1;
+}
+
+template <typename Build>
+void test_construction(const std::string& name, const Build& build)
+{
+  Building_visitor visitor;
+  build(visitor);
+  check_signs(name, visitor.shares, 1);
+  double longest = visitor.seconds.empty() ? 1 : visitor.seconds.front();
+  for (std::size_t i = 1; i < visitor.seconds.size(); ++i)
+    longest = (std::max)(longest, visitor.seconds[i] - visitor.seconds[i - 1]);
+  std::cout << "  longest time without a sign " << longest << " s of " << seconds_since(visitor.begin) << " s" << std::endl;
+  CHECK(visitor.stages.empty());
+  for (const double share : {0.1, 0.5, 0.9})
+  {
+    Building_visitor stopping;
+    stopping.largest_share = share;
+    CHECK_THROWS(build(stopping), Hde::Interrupted);
+    CHECK(!stopping.shares.empty() && stopping.shares.back() >= share && stopping.shares.back() < 1);
+  }
+}
+
+void test_progress_of_construction()
+{
+  Mesh mesh = ellipsoid(6);
+  auto regions = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:region", 0).first;
+  mark_regions(mesh, regions);
+  test_construction("function", [&](Building_visitor& visitor) { Rbf_function(mesh, params::visitor(std::ref(visitor))); });
+  test_construction("function of points",
+                    [&](Building_visitor& visitor)
+                    {
+                      std::vector<std::pair<Point_3, Vector_3>> points;
+                      for (const Mesh::Vertex_index v : mesh.vertices())
+                        points.emplace_back(mesh.point(v), Ellipsoid_function().gradient(mesh.point(v)));
+                      Rbf_function(points, params::visitor(std::ref(visitor)).smoothing(0.01));
+                    });
+  test_construction("piecewise function",
+                    [&](Building_visitor& visitor)
+                    {
+                      CGAL::Piecewise_rbf_implicit_function<Kernel, CGAL::Polyharmonic_rbf, Tag>(
+                          mesh, regions, params::visitor(std::ref(visitor)));
+                    });
+}
+
+// The same where the remeshing builds the function. If it is stopped there, the mesh is as it was.
+void test_progress_of_built_function()
+{
+  const Mesh input = ellipsoid(6);
+  Mesh mesh = input;
+  Building_visitor visitor;
+  CGAL::anisotropic_hde_remeshing<Tag>(mesh, params::visitor(std::ref(visitor)).number_of_iterations(1));
+  check_signs("built function", visitor.shares_of_function, 0.3);
+  CHECK_CLOSE(visitor.shares.back(), 1, 1e-12);
+  for (const double share : {0.04, 0.15, 0.27})
+  {
+    mesh = input;
+    Building_visitor stopping;
+    stopping.largest_share = share;
+    const Hde::Remeshing_result result = CGAL::anisotropic_hde_remeshing<Tag>(mesh, params::visitor(std::ref(stopping)));
+    CHECK(result.was_stopped && result.number_of_faces == 0);
+    CHECK(stopping.stages == std::vector<Hde::Stage>({Hde::Stage::IMPLICIT_FUNCTION}));
+    CHECK(stopping.shares.back() < 0.3);
+    CHECK(digest(mesh) == digest(input));
+  }
+}
+
 int main()
 {
   test_visitor();
@@ -285,6 +404,8 @@ int main()
   test_stopping();
   test_throwing_visitor();
   test_interrupted_function();
+  test_progress_of_construction();
+  test_progress_of_built_function();
   test_latencies();
   return check_summary();
 }

@@ -26,7 +26,8 @@ public:
   /// called once when `stage` begins
   void stage_started(CGAL::Anisotropic_hde_remeshing::Stage stage);
 
-  /// called with the share of the remeshing that is done, from 0 to 1. The share never decreases within a call.
+  /// called with the share of the call that is done, from 0 to 1. The share never decreases within a call. How often it is called may
+  /// depend on the time that parts take.
   void progress(double share);
 
   /// asked between any two steps and every few milliseconds within them. If it returns `false`, the call returns soon, with a

@@ -46,8 +46,9 @@ struct Remeshing_visitor
   /// called once when `stage` begins
   void stage_started(Stage /* stage */) {}
 
-  /// called with the share done, from 0 to 1. The share never decreases within a call. It is not called in
-  /// `Stage::IMPLICIT_FUNCTION`, whose end is not known before: there `go_further()` is the sign of life.
+  /// called with the share done, from 0 to 1. The share never decreases within a call. In `Stage::IMPLICIT_FUNCTION` it goes up to
+  /// 0.3, in steps of about a hundredth of the stage; how often it is called there depends on the time that the patches take. A
+  /// constructor of a function that is given this visitor tells the share of the construction, also from 0 to 1.
   void progress(double /* share */) {}
 
   /// asked between any two steps and, in the long ones, every few milliseconds. `false` ends the remeshing early. The mesh

@@ -38,6 +38,10 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
+// What is done of the function after each step, as it takes about, to tell who listens.
+constexpr double share_of_sample = 0.15, share_of_partition = 0.25, share_of_offsets = 0.35, share_of_first_solution = 0.8,
+                 share_of_check = 0.9, share_of_last_solution = 0.99;
+
 // The function s of the paper's Algorithm 1 in plain numbers. Each patch has a local interpolant that is checked and repaired.
 // The tree blends these. Far from the points the function is the signed distance to the input.
 template <typename RadialFunction, typename ConcurrencyTag>
@@ -126,6 +130,7 @@ private:
         {
           m_patches[leaves[k]] = Patch();
           results[leaves[k]] = solve_patch(solver, places, parameters, leaves[k]);
+          interruption.end_parts(1);
         },
         1, interruption);
     interruption.check();
@@ -142,14 +147,19 @@ private:
     std::vector<Patch_result> results(n);
     std::vector<std::size_t> changed(n);
     std::iota(changed.begin(), changed.end(), std::size_t(0));
+    const bool has_check = parameters.uses_facets && !m_sample->facets.empty();
+    const double share_of_solution = has_check ? share_of_first_solution : share_of_last_solution;
+    interruption.begin_parts(n, share_of_solution);
     solve(Solver_of_patch(*m_sample, offsets, function, unit_of_length), places, parameters, changed, results, interruption);
-    if (parameters.uses_facets && !m_sample->facets.empty())
+    interruption.report(share_of_solution);
+    if (has_check)
     {
       const Facet_edges edges(*m_sample);
       const Facet_check check(*m_sample, edges);
       for (int round = 0; round < rounds_of_refinement && !changed.empty(); ++round)
       {
         changed = refine(check, failed_places(check, changed, interruption), interruption);
+        interruption.report(round == 0 ? share_of_check : share_of_last_solution);
         offsets = Offsets(*m_sample, m_tree, parameters.relative_offset, parameters.absolute_offset,
                           parameters.offsets_on_both_sides, interruption);
         solve(Solver_of_patch(*m_sample, offsets, function, unit_of_length), places, parameters, changed, results,
@@ -406,10 +416,12 @@ Patchwise_interpolant<RadialFunction, ConcurrencyTag>::Patchwise_interpolant(Sam
   m_tree = Blending_tree(ConcurrencyTag(), *m_sample, number_of_patches, parameters.patch_blending, parameters.patch_overlap,
                          maximum_points_of_patch(number_of_patches, parameters), interruption);
   m_diagnostics.partition_seconds = timer.time();
+  interruption.report(share_of_partition);
   timer.reset();
   Offsets offsets(*m_sample, m_tree, parameters.relative_offset, parameters.absolute_offset, parameters.offsets_on_both_sides,
                   interruption);
   m_diagnostics.constraint_seconds = timer.time();
+  interruption.report(share_of_offsets);
   timer.reset();
   solve(offsets, function, unit_of_length, parameters, interruption);
   m_diagnostics.solve_seconds = timer.time();

@@ -27,6 +27,7 @@
 #include <cmath>
 #include <cstddef>
 #include <exception>
+#include <functional>
 #include <thread>
 #include <vector>
 
@@ -35,11 +36,24 @@ namespace Anisotropic_hde_remeshing {
 namespace internal {
 
 // The visitor of a region. Only the thread of the caller may ask the caller's visitor. In other threads, this one only tells
-// whether the caller has asked to stop.
+// whether the caller has asked to stop. It counts how much of the region is done.
 class Visitor_of_region : public Remeshing_visitor
 {
 public:
-  explicit Visitor_of_region(Interruption& interruption) : m_interruption(&interruption) {}
+  // a region of so many vertices, which are the parts of all regions; `owner` is the thread of the caller
+  Visitor_of_region(Interruption& interruption, const std::thread::id owner, const std::size_t number_of_vertices)
+    : m_interruption(&interruption), m_owner(owner), m_number_of_vertices(number_of_vertices)
+  {
+  }
+  Visitor_of_region(const Visitor_of_region&) = delete;
+  Visitor_of_region& operator=(const Visitor_of_region&) = delete;
+
+  void progress(const double share)
+  {
+    const std::size_t done = std::size_t(share * double(m_number_of_vertices));
+    m_interruption->end_parts(done - m_number_done);
+    m_number_done = done;
+  }
 
   bool go_further()
   {
@@ -48,7 +62,8 @@ public:
 
 private:
   Interruption* m_interruption;
-  std::thread::id m_owner = std::this_thread::get_id();
+  std::thread::id m_owner;
+  std::size_t m_number_of_vertices, m_number_done = 0;
 };
 
 // the share of a region in the number of patches that the caller asks for, if he does
@@ -108,13 +123,16 @@ std::vector<Region_function<Field>> build_region_functions(const std::vector<Reg
     number_of_vertices += region.number_of_vertices();
   }
   const double size = diagonal_of(box);
-  const Visitor_of_region visitor(interruption);
+  const std::thread::id owner = std::this_thread::get_id();
+  interruption.begin_parts(number_of_vertices, 1);
   std::vector<Region_function<Field>> result(regions.size());
   const auto build_one = [&](const std::size_t i)
   {
+    Visitor_of_region visitor(interruption, owner, regions[i].number_of_vertices());
     const double share = double(regions[i].number_of_vertices()) / double(number_of_vertices);
-    result[i] = fit_region_function<Field>(regions[i], planarity * size, with_share_of_patches(np, share).visitor(visitor),
-                                           interruption);
+    result[i] = fit_region_function<Field>(regions[i], planarity * size,
+                                           with_share_of_patches(np, share).visitor(std::ref(visitor)), interruption);
+    visitor.progress(1);
   };
   std::vector<std::size_t> small;
   for (std::size_t i = 0; i < regions.size(); ++i)

@@ -33,6 +33,7 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
+#include <functional>
 #include <type_traits>
 
 namespace CGAL {
@@ -117,6 +118,24 @@ Remeshing_result remesh_any_faces(const Faces& faces, TriangleMesh& tmesh, const
   return result;
 }
 
+// The caller's visitor in a part of the work: the shares of the part become shares of the whole.
+template <typename Visitor>
+class Visitor_of_part : public Remeshing_visitor
+{
+public:
+  Visitor_of_part(Visitor& visitor, const double begin, const double end) : m_visitor(visitor), m_begin(begin), m_end(end) {}
+  Visitor_of_part(const Visitor_of_part&) = delete;
+  Visitor_of_part& operator=(const Visitor_of_part&) = delete;
+
+  void stage_started(const Stage stage) { m_visitor.stage_started(stage); }
+  void progress(const double share) { m_visitor.progress(m_begin + (m_end - m_begin) * share); }
+  bool go_further() { return m_visitor.go_further(); }
+
+private:
+  Visitor& m_visitor;
+  double m_begin, m_end;
+};
+
 // remeshes on the zero set of the caller's function
 template <typename ConcurrencyTag, typename Faces, typename TriangleMesh, typename Function, typename NamedParameters>
 Remeshing_result remesh_on_surface(const Faces& faces, TriangleMesh& tmesh, const Function& function, const NamedParameters& np)
@@ -196,6 +215,7 @@ template <typename ConcurrencyTag, typename FaceRange, typename TriangleMesh, ty
 Remeshing_result remesh_faces_on_built_surface(const FaceRange& faces, TriangleMesh& tmesh, const bool is_whole_mesh,
                                                const NamedParameters& np)
 {
+  static constexpr double share_of_function = 0.3; // of the time, where the mesh gets as many faces as it has
   using parameters::choose_parameter;
   using parameters::get_parameter;
   typedef std::decay_t<decltype(choose_parameter(get_parameter(np, internal_np::radial_function), Polyharmonic_rbf()))>
@@ -212,6 +232,10 @@ Remeshing_result remesh_faces_on_built_surface(const FaceRange& faces, TriangleM
   }
   Remeshing_visitor nobody;
   Visitor_parameter<NamedParameters> visitor = visitor_parameter(np, nobody);
+  typedef Visitor_of_part<std::remove_reference_t<decltype(visitor)>> Visitor;
+  Visitor of_function(visitor, 0, share_of_function), of_rest(visitor, share_of_function, 1);
+  const auto np_of_function = parameters::begin_with(np).visitor(std::ref(of_function)),
+             np_of_rest = parameters::begin_with(np).visitor(std::ref(of_rest));
   visitor.stage_started(Stage::IMPLICIT_FUNCTION);
   Real_timer timer;
   timer.start();
@@ -221,7 +245,7 @@ Remeshing_result remesh_faces_on_built_surface(const FaceRange& faces, TriangleM
     const auto remesh_on = [&](const auto& function, const auto& creases)
     {
       const double seconds = timer.time();
-      result = remesh_faces<ConcurrencyTag>(faces, tmesh, function, is_whole_mesh, np, creases);
+      result = remesh_faces<ConcurrencyTag>(faces, tmesh, function, is_whole_mesh, np_of_rest, creases);
       result.implicit_function_seconds = seconds;
     };
     if constexpr (may_have_creases<NamedParameters>)
@@ -231,7 +255,7 @@ Remeshing_result remesh_faces_on_built_surface(const FaceRange& faces, TriangleM
       typedef Crease_maps<std::decay_t<decltype(edge_is_crease)>, std::decay_t<decltype(face_region)>> Creases;
       if (find_creases(tmesh, np, edge_is_crease, face_region))
       {
-        remesh_on(Piecewise_rbf_implicit_function<Kernel, Radial_function, ConcurrencyTag>(tmesh, face_region, np),
+        remesh_on(Piecewise_rbf_implicit_function<Kernel, Radial_function, ConcurrencyTag>(tmesh, face_region, np_of_function),
                   Creases{edge_is_crease, face_region});
         return result;
       }
@@ -239,7 +263,7 @@ Remeshing_result remesh_faces_on_built_surface(const FaceRange& faces, TriangleM
     if constexpr (!is_given<NamedParameters, internal_np::sharp_angle_t>)
     {
       typedef Rbf_implicit_function<Kernel, Radial_function, ConcurrencyTag> Function;
-      remesh_on(Function(tmesh, np), crease_maps<Function, TriangleMesh>(np));
+      remesh_on(Function(tmesh, np_of_function), crease_maps<Function, TriangleMesh>(np));
     }
   }
   catch (const Interrupted&)
