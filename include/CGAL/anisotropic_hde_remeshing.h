@@ -32,7 +32,7 @@ space, the mesh is then adapted to the curvature and stretched along the directi
 contractions and flips of edges, and smoothing of vertices. Every vertex inside the surface is put on the zero set of
 `function`. The boundary edges, the constrained edges and the edges between patches form polylines in the input. Vertices of
 these edges stay on the polylines. The ends, the branchings and the turns of more than 60 degrees of the polylines are kept. A
-closed polyline keeps at least 0.85 of its length.
+closed polyline keeps at least 0.85 of its length. With `project_borders`, boundaries are put on the zero set, too.
 
 One smooth function rounds sharp edges that are not constrained. A piecewise function has a smooth piece for each region of the
 surface. The edges between two regions are the creases. They are kept:
@@ -166,6 +166,21 @@ locations are in a map that it does not keep itself.
                           root mean square of the distance falls to about a quarter. Vertices of curves and fixed vertices
                           stay. By measured error, vertices are off the surface anyway. Then this asks for the least distance:
                           more iterations, and hardly a price of long triangles.}
+    \cgalParamType{bool}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{project_borders}
+    \cgalParamDescription{whether the vertices of the boundary are put on the zero set, too. Otherwise they stay on the boundary of the
+                          input, which is off the surface by the height of its edges, or as far as the input is. A vertex goes
+                          from the polyline to the zero set in the plane of the boundary there, the plane of three edges in a row,
+                          so a boundary that a plane has cut stays in this plane. Where the boundary is straight, or the zero set is
+                          nearly parallel to that plane, by less than 10 degrees, the vertex goes perpendicular to the boundary.
+                          Corners, that is turns of more than 60 degrees and places where the boundary goes from one plane into
+                          another by more than 30 degrees, go along the line where both planes meet. No vertex goes further than
+                          half of an edge of the boundary. Those that do not reach the zero set so stay, and are counted in
+                          `Anisotropic_hde_remeshing::Remeshing_result::number_of_unprojected_vertices`. Constrained vertices,
+                          protected boundaries, the ends of other curves at the boundary, and the border of a range of faces stay
+                          anyway. By measured error there is no zero set: without a function, this asks for one.}
     \cgalParamType{bool}
     \cgalParamDefault{`false`}
   \cgalParamNEnd

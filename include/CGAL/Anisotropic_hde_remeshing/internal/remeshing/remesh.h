@@ -81,7 +81,9 @@ Remeshing_report remesh(Working_mesh<typename Embedding::Vertex_data>& mesh, con
   Interruption& interruption = visitor.interruption();
   if (parameters.number_of_iterations > 0)
     reorder_in_space<ConcurrencyTag>(mesh, interruption);
-  const Curve_network curves = curve_network(mesh, function.is_piecewise(), input.diagonal(), parameters.allowed);
+  Curve_network curves = curve_network(mesh, function.is_piecewise(), input.diagonal(), parameters.allowed);
+  if (parameters.project_borders)
+    curves.project_borders(mesh);
   const Feature_curves curves_before = feature_curves(mesh);
   Projection projection(function, input);
   Remesher remesher(mesh, embedding, projection, curves, intersections, parameters, visitor);

@@ -48,6 +48,7 @@ struct Remeshing_parameters
   double collapse_ratio = 0.8;
   double split_ratio = 4. / 3;
   bool fit_to_surface = false;
+  bool project_borders = false;
   Allowed_operations allowed;
   double error = 0; // the largest distance to the surface; 0 if none is asked for
   Target_length target = Target_length::of_number_of_faces(0);
@@ -100,6 +101,7 @@ Remeshing_parameters iteration_parameters(const NamedParameters& np)
   result.split_ratio =
       checked_between("split_ratio", choose_parameter(get_parameter(np, internal_np::split_ratio), result.split_ratio), 1, 100);
   result.fit_to_surface = choose_parameter(get_parameter(np, internal_np::fit_to_surface), false);
+  result.project_borders = choose_parameter(get_parameter(np, internal_np::project_borders), false);
   result.allowed = allowed_operations(np);
   if (result.scheme == Remeshing_scheme::MEASURED_ERROR && !result.allowed.has_all_of_mesh())
     throw_invalid_argument("remeshing_scheme", "MEASURED_ERROR",
@@ -258,7 +260,8 @@ template <typename NamedParameters>
 constexpr bool leaves_embedding_and_function_open =
     (is_given<NamedParameters, internal_np::number_of_target_faces_t> || is_error_given<NamedParameters>)&&is_none_given<
         NamedParameters, internal_np::sigma_t, internal_np::relative_sigma_t, internal_np::embedding_t,
-        internal_np::sizing_field_t, internal_np::split_ratio_t, internal_np::collapse_ratio_t, internal_np::smoothing_ratio_t,
+        internal_np::sizing_field_t, internal_np::project_borders_t, internal_np::split_ratio_t, internal_np::collapse_ratio_t,
+        internal_np::smoothing_ratio_t,
         internal_np::number_of_relaxation_steps_t>&& is_none_given<NamedParameters, internal_np::number_of_patches_t,
                                                                    internal_np::patch_overlap_t, internal_np::offset_distance_t,
                                                                    internal_np::relative_offset_distance_t,

@@ -11,18 +11,30 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/curves/curve_plane.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/Working_mesh.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <map>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
+
+// Which way a point of a border goes onto the surface: perpendicular to one or two unit vectors, or to zero vectors, no further than the
+// reach.
+struct Border_way
+{
+  Vector one = Vector::Zero(), other = Vector::Zero();
+  double reach = 0;
+};
 
 // The polylines of the input that the mesh keeps: its boundaries, the constrained edges and the edges between patches. A curve
 // goes from corner to corner, or is closed without a corner. A corner is where curves end, branch or turn sharply. Corners are
@@ -48,7 +60,11 @@ public:
       if (degrees[v] > 0)
       {
         mesh.point(v).is_on_curve = true;
-        mesh.point(v).is_fixed = mesh.point(v).is_fixed || degrees[v] != 2 || is_sharp(v, mesh);
+        if (mesh.point(v).is_fixed)
+          continue;
+        mesh.point(v).is_fixed = degrees[v] != 2 || is_sharp(v, mesh);
+        if (mesh.point(v).is_fixed && degrees[v] == 2)
+          m_turns.push_back(v);
       }
     std::vector<char> is_traced(edge_capacity(mesh), 0);
     for (const bool from_corners : {true, false}) // a curve that no corner reaches is closed
@@ -76,6 +92,66 @@ public:
   }
   bool may_collapse() const { return m_may_collapse; }
   bool may_smooth() const { return m_may_smooth; }
+
+  // Lets borders be put on the surface, with their sharp turns. Where they turn from a plane into another one there are corners, too.
+  // Call it before the vertices get other numbers.
+  template <typename Mesh>
+  void project_borders(Mesh& mesh)
+  {
+    m_projects_borders = true;
+    m_border_planes.resize(m_curves.size());
+    double length = 0;
+    std::size_t number = 0;
+    for (const Halfedge_index h : mesh.halfedges())
+      if (mesh.is_border(h) && mesh.arc(h).curve >= 0)
+      {
+        const Curve_arc arc = mesh.arc(h);
+        const Curve& curve = m_curves[std::size_t(arc.curve)];
+        std::vector<Curve_plane>& planes = m_border_planes[std::size_t(arc.curve)];
+        planes.resize(curve.arc_lengths().size() - 1);
+        planes[curve.edge(0.5 * (arc.source + arc.target))] = border_plane(h, mesh);
+        if (!mesh.point(mesh.target(h)).is_fixed && is_between_planes(h, mesh))
+        {
+          mesh.point(mesh.target(h)).is_fixed = true;
+          m_turns.push_back(mesh.target(h));
+        }
+        length += std::abs(arc.target - arc.source);
+        ++number;
+      }
+    m_mean_border_edge = number > 0 ? length / double(number) : 0;
+    for (const Vertex_index v : m_turns)
+      for (const Halfedge_index h : mesh.halfedges_around_target(mesh.halfedge(v)))
+        if (mesh.is_border(h))
+          m_corners.emplace(mesh.point(v).input_vertex, border_corner_at(h, mesh));
+  }
+
+  bool projects_borders() const { return m_projects_borders; }
+  bool is_projected(const int curve) const { return m_projects_borders && !m_border_planes[std::size_t(curve)].empty(); }
+
+  // In the plane of the border, if it has one there; otherwise, and along the second way, perpendicular to it. The surface may not
+  // cross the plane.
+  std::array<Border_way, 2> border_ways(const int curve, const double arc_length) const
+  {
+    const std::size_t edge = m_curves[std::size_t(curve)].edge(arc_length);
+    const Curve_plane& plane = m_border_planes[std::size_t(curve)][edge];
+    std::array<Border_way, 2> result;
+    result[1].one = m_curves[std::size_t(curve)].direction(edge);
+    result[0].one = plane.normal.isZero(0) ? result[1].one : plane.normal;
+    result[0].reach = result[1].reach = reach(plane, plane);
+    return result;
+  }
+
+  // a sharp turn of a border in the input, and its way along both planes; a null pointer if the vertex is none
+  struct Border_corner
+  {
+    Vector point;
+    Border_way way;
+  };
+  const Border_corner* border_corner(const std::uint32_t input_vertex) const
+  {
+    const auto found = m_corners.find(input_vertex);
+    return found == m_corners.end() ? nullptr : &found->second;
+  }
 
   // bounds how far the polyline may be from an edge that stands for a part of it
   void set_largest_deviation(const double deviation) { m_largest_deviation = deviation; }
@@ -130,6 +206,15 @@ private:
       const double angle = 0.5 * (before + behind).norm();
       const bool is_arc = angle <= largest_turn_of_arc && (before - behind).norm() <= largest_change_of_turn * angle;
       return is_arc ? 0.25 * angle * (m_arc_lengths[edge + 1] - m_arc_lengths[edge]) : 0;
+    }
+
+    std::size_t edge(const double arc_length) const { return find(arc_length).edge; }
+
+    // of length 1, or zero
+    Vector direction(const std::size_t edge) const
+    {
+      const Vector along = m_points[edge + 1] - m_points[edge];
+      return along.norm() > 0 ? along.normalized() : along;
     }
 
     // The largest distance of the polyline between two arc lengths from the line segment that joins its points there. To look
@@ -196,6 +281,51 @@ private:
     bool m_is_closed;
   };
 
+  // the plane of a border at one of its edges, by the edges around it, also beyond corners
+  template <typename Mesh>
+  static Curve_plane border_plane(const Halfedge_index h, const Mesh& mesh)
+  {
+    std::array<Vector, 6> points;
+    Halfedge_index g = mesh.prev(mesh.prev(h));
+    for (Vector& p : points)
+    {
+      p = mesh.point(mesh.source(g)).point;
+      g = mesh.next(g);
+    }
+    return curve_plane(points);
+  }
+
+  // whether the border goes from one plane into another where h ends
+  template <typename Mesh>
+  static bool is_between_planes(const Halfedge_index h, const Mesh& mesh)
+  {
+    static constexpr double largest_cosine = 0.87; // of 30 degrees
+    const Curve_plane one = border_plane(h, mesh), other = border_plane(mesh.next(h), mesh);
+    return one.is_exact && other.is_exact && std::abs(one.normal.dot(other.normal)) < largest_cosine;
+  }
+
+  template <typename Mesh>
+  Border_corner border_corner_at(const Halfedge_index before, const Mesh& mesh) const
+  {
+    static constexpr double least_sine = 0.17; // of 10 degrees: planes that meet at less are one
+    const Curve_plane one = border_plane(before, mesh), other = border_plane(mesh.next(before), mesh);
+    Border_corner result;
+    result.point = mesh.point(mesh.target(before)).point;
+    result.way.reach = reach(one, other);
+    result.way.one = one.normal;
+    const Vector rest = other.normal - other.normal.dot(one.normal) * one.normal;
+    if (rest.norm() > least_sine)
+      result.way.other = rest.normalized();
+    return result;
+  }
+
+  // A point may go half as far as the edges around are long, or as those of the border are in the mean, if that is more: there may be
+  // tiny edges.
+  double reach(const Curve_plane& one, const Curve_plane& other) const
+  {
+    return 0.5 * (std::max)({one.longest_edge, other.longest_edge, m_mean_border_edge});
+  }
+
   static bool is_named_later(const Curve_arc& arc) { return arc.curve == Curve_arc::unnamed; }
 
   // The number of edges on curves at each vertex. An edge that must not be touched counts as three: so its ends are never inner
@@ -251,6 +381,12 @@ private:
   }
 
   std::vector<Curve> m_curves;
+  std::vector<Vertex_index> m_turns; // the corners at which one curve turns
+  // if borders are projected: the planes of the edges of the curves, none for other curves; the corners by their numbers in the input
+  std::vector<std::vector<Curve_plane>> m_border_planes;
+  std::map<std::uint32_t, Border_corner> m_corners;
+  double m_mean_border_edge = 0;
+  bool m_projects_borders = false;
   double m_largest_deviation = (std::numeric_limits<double>::infinity)();
   bool m_may_collapse = true, m_may_smooth = true;
 };

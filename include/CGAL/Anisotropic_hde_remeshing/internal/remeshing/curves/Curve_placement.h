@@ -19,7 +19,7 @@ namespace Anisotropic_hde_remeshing {
 namespace internal {
 
 // Puts vertices on curves. A vertex is put on the polyline. On a crease between two regions it is put where their surfaces
-// meet, if they meet near the polyline.
+// meet, if they meet near the polyline. On a border that is to be projected it is put on the surface, if this is near the polyline.
 template <typename Embedding, typename Projection>
 class Curve_placement
 {
@@ -33,13 +33,43 @@ public:
   {
   }
 
-  // `sides` are those of the regions on both sides of the curve; empty if there is only one region
-  Vector point(const int curve, const double arc_length, const Sides& sides) const
+  // `sides` are those of the regions on both sides of the curve; empty if there is only one region, `region`
+  Vector point(const int curve, const double arc_length, const Region region, const Sides& sides) const
   {
     Vector result = m_curves.point(curve, arc_length);
     if (sides.size() == 2)
       m_projection.project_on_crease(result, sides[0].region, sides[1].region, m_curves.reach(curve, arc_length));
+    else if (m_curves.is_projected(curve))
+      for (const Border_way& way : m_curves.border_ways(curve, arc_length))
+        if (m_projection.project_across(result, region, way.one, way.other, way.reach))
+          break;
     return result;
+  }
+
+  // whether the vertex belongs on the surface, as one of a border
+  bool is_on_projected_border(const Vertex_index v, const Mesh& mesh) const
+  {
+    if (!m_curves.projects_borders() || !mesh.point(v).is_on_curve)
+      return false;
+    return mesh.point(v).is_fixed ? m_curves.border_corner(mesh.point(v).input_vertex) != nullptr : mesh.is_border(v);
+  }
+
+  // where such a vertex belongs
+  Vector point_on_border(const Vertex_index v, const Region region, const Mesh& mesh) const
+  {
+    if (mesh.point(v).is_fixed)
+    {
+      const Curve_network::Border_corner& corner = *m_curves.border_corner(mesh.point(v).input_vertex);
+      Vector result = corner.point;
+      const Vector none = Vector::Zero();
+      if (!m_projection.project_across(result, region, corner.way.one, corner.way.other, corner.way.reach))
+        m_projection.project_across(result, region, none, none, corner.way.reach);
+      return result;
+    }
+    Halfedge_index in = mesh.halfedge(v);
+    while (!mesh.is_border(in))
+      in = mesh.prev(mesh.opposite(in));
+    return point(mesh.arc(in).curve, mesh.arc(in).target, region, Sides());
   }
 
   // Updates the normals and what the embedding keeps at the point of `state`. Without sides the point is in `region`.

@@ -150,8 +150,10 @@ private:
     for (std::size_t i = 0; i < added.vertices.size(); ++i)
       put(m_vpm, added.vertices[i], points[i]);
     Map_transaction<Edge_is_constrained_map, Edge> written(m_edge_is_constrained);
+    Map_transaction<VertexPointMap, Vertex> moved(m_vpm);
     if (!is_all_replaced)
     {
+      move_kept_vertices(moved);
       for (const Edge e : gone.edges)
         if (get(m_edge_is_constrained, e))
           written.write(e, false);
@@ -165,6 +167,21 @@ private:
     if constexpr (has_locations)
       put_locations();
     written.commit();
+    moved.commit();
+  }
+
+  // Corners of borders keep their descriptors, but may have moved onto the surface. All other points are not written, as they may be
+  // those of an exact kernel.
+  void move_kept_vertices(Map_transaction<VertexPointMap, Vertex>& moved)
+  {
+    std::vector<Vertex_index> vertices;
+    for (const Vertex_index v : m_mesh.vertices())
+      if (m_mesh.point(v).is_fixed && m_mesh.point(v).is_on_curve &&
+          to_vector(value_of(m_vpm, m_vertices[v])) / m_origin.unit != m_mesh.point(v).point)
+        vertices.push_back(v);
+    const New_points<Point, Mesh> points(m_mesh, m_origin.unit, vertices);
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      moved.write(m_vertices[vertices[i]], points[i]);
   }
 
   // Marks the protected creases as constrained, because the caller may not have marked them. Edges on the border of the

@@ -153,7 +153,7 @@ private:
       for (const Region r : {(std::min)(region, beyond), (std::max)(region, beyond)})
         candidate.sides.push_back(Crease_side<Vertex>{r, middle});
     }
-    middle.point = m_curves.point(arc.curve, 0.5 * (arc.source + arc.target), candidate.sides);
+    middle.point = m_curves.point(arc.curve, 0.5 * (arc.source + arc.target), region, candidate.sides);
     m_curves.update(middle, region, candidate.sides,
                     [&](Vertex& vertex, const Region r)
                     {

@@ -70,7 +70,7 @@ public:
     moves.template accept<ConcurrencyTag>(m_mesh);
     m_guard.template update_landmarks<ConcurrencyTag>();
     for (const Vertex_index v : m_mesh.vertices())
-      if (is_chosen(v) && (!moves.is_moved(v) || m_mesh.point(v).is_on_input) && is_free(v) &&
+      if (is_chosen(v) && belongs_on_surface(v) && may_be_off_surface(v, moves) &&
           !m_projection.is_on_surface(m_mesh.point(v), region(v)))
         ++m_number_of_unprojected_vertices;
     return true;
@@ -120,6 +120,13 @@ public:
 private:
   static bool all(Vertex_index) { return true; }
 
+  bool belongs_on_surface(const Vertex_index v) const { return is_free(v) || m_placement.is_on_projected_border(v, m_mesh); }
+
+  bool may_be_off_surface(const Vertex_index v, const Moves& moves) const
+  {
+    return !moves.is_moved(v) || m_mesh.point(v).is_on_input || !is_free(v);
+  }
+
   bool is_free(const Vertex_index v) const { return !m_mesh.point(v).is_on_curve && !m_mesh.point(v).is_fixed; }
 
   template <typename IsChosen>
@@ -136,7 +143,11 @@ private:
             m_embedding.place(state);
           }
           else
+          {
+            if (m_placement.is_on_projected_border(v, m_mesh))
+              state.point = m_placement.point_on_border(v, region(v), m_mesh);
             m_placement.update(state, region(v), sides);
+          }
           return true;
         },
         interruption);

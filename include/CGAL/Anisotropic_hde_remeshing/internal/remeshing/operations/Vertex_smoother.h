@@ -188,7 +188,7 @@ private:
     if (!m_curves.accepts(Curve_arc{before.curve, before.source, before.target + shift}) ||
         !m_curves.accepts(Curve_arc{before.curve, before.target + shift, before.target + (behind.target - behind.source)}))
       return false;
-    state.point = m_placement.point(before.curve, before.target + shift, sides);
+    state.point = m_placement.point(before.curve, before.target + shift, m_mesh.region(in), sides);
     m_placement.update(state, m_mesh.region(in), sides);
     return true;
   }

@@ -144,6 +144,35 @@ public:
     return true;
   }
 
+  // Moves the point onto the zero set by Newton's method, perpendicular to two unit vectors, which are orthogonal to each other, or
+  // zero. If the steps do not lead there within the trust radius, or the surface is nearly perpendicular to the way, `point` is unchanged
+  // and the result is false.
+  bool project_across(Vector& point, const Region region, const Vector& one, const Vector& other,
+                      const double trust_radius) const
+  {
+    static constexpr double least_slope = 0.17; // over the length of the gradient: a way at 10 degrees to the surface
+    Vector p = point;
+    for (int step = 0; step < newton_steps; ++step)
+    {
+      const Value_and_gradient at_p = evaluate(p, region);
+      const double length = at_p.gradient.norm();
+      const Vector along = at_p.gradient - at_p.gradient.dot(one) * one - at_p.gradient.dot(other) * other;
+      if (!std::isfinite(at_p.value) || !std::isfinite(length) || !(along.norm() > least_slope * length))
+        return false;
+      if (std::abs(at_p.value) <= settled * m_exact_distance * length)
+        break;
+      p -= at_p.value / along.squaredNorm() * along;
+      if (!((p - point).squaredNorm() <= trust_radius * trust_radius))
+        return false;
+    }
+    const Value_and_gradient at_p = evaluate(p, region);
+    if (!(std::abs(at_p.value) <= m_exact_distance * at_p.gradient.norm()))
+      return false;
+    point = p;
+    m_number_by_newton.fetch_add(1, std::memory_order_relaxed);
+    return true;
+  }
+
   Projection_counters counters() const
   {
     return Projection_counters{m_number_by_newton, m_number_by_bisection, m_number_by_descent, m_number_by_closest_point};
