@@ -6,8 +6,7 @@
 //
 // Author(s)     : The Anisotropic_hde_remeshing developers
 
-// Ranges of faces and of points are told from meshes, whatever they are: containers, arrays, views that keep no iterator type and
-// The package's headers among those of CGAL's other packages: after them, and compiled once more before them.
+// The package's headers among those of CGAL's other packages: after all of them, and compiled once more before them.
 
 #ifdef CGAL_AHR_TEST_BEFORE_CGAL
 #  include <CGAL/Anisotropic_hde_remeshing/Surface_regions.h>
@@ -15,30 +14,14 @@
 #  include <CGAL/anisotropic_hde_remeshing.h>
 #endif
 
+#include "headers_of_cgal.h"
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/corefinement.h>
-#include <CGAL/Polygon_mesh_processing/detect_features.h>
-#include <CGAL/Polygon_mesh_processing/distance.h>
-#include <CGAL/Polygon_mesh_processing/fair.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
-#include <CGAL/Polygon_mesh_processing/random_perturbation.h>
-#include <CGAL/Polygon_mesh_processing/remesh.h>
-#include <CGAL/Polygon_mesh_processing/repair.h>
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
-#include <CGAL/Polygon_mesh_processing/smooth_shape.h>
-#include <CGAL/Polygon_mesh_processing/stitch_borders.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/Polyhedral_mesh_domain_with_features_3.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
-#include <CGAL/Surface_mesh_simplification/edge_collapse.h>
-#include <CGAL/boost/graph/Dual.h>
-#include <CGAL/boost/graph/Face_filtered_graph.h>
-#include <CGAL/boost/graph/Seam_mesh.h>
-#include <CGAL/boost/graph/copy_face_graph.h>
-#include <CGAL/boost/graph/selection.h>
-#include <CGAL/make_mesh_3.h>
 
 #ifndef CGAL_AHR_TEST_BEFORE_CGAL
 #  include <CGAL/Anisotropic_hde_remeshing/Surface_regions.h>
