@@ -131,6 +131,24 @@ void test_analytic_function()
   CHECK(digest_of(CGAL::Sequential_tag()) == digest_of(CGAL::Parallel_if_available_tag()));
 }
 
+// sizes at vertices, and borders on the surface
+void test_sizes_and_borders()
+{
+  const auto digest_of = [](const auto tag, const double gradation)
+  {
+    Mesh mesh = half_sphere(20);
+    auto sizes = mesh.add_property_map<Mesh::Vertex_index, double>("v:size").first;
+    for (const Mesh::Vertex_index v : mesh.vertices())
+      sizes[v] = mesh.point(v).x() < 0 ? 0.03 : 0.1;
+    CGAL::anisotropic_hde_remeshing<decltype(tag)>(mesh, Sphere_function(),
+                                                   params::sizing_field(sizes).gradation(gradation).project_borders(true));
+    return digest(mesh);
+  };
+  const std::uint64_t expected = digest_of(CGAL::Sequential_tag(), 0.3);
+  CHECK(digest_of(CGAL::Parallel_if_available_tag(), 0.3) == expected);
+  CHECK(digest_of(CGAL::Sequential_tag(), 0.31) != expected);
+}
+
 // Other mesh classes take the same way, given the same order of the elements, which a mesh built from the same soup has.
 template <typename Function>
 void test_polyhedron(const Soup& soup, const Function& function)
@@ -191,6 +209,7 @@ int main()
   test_threads("lion head, with a boundary", scan("lion-head.off"), 0.01, 15000);
   test_constraints(scan("elephant.off"));
   test_analytic_function();
+  test_sizes_and_borders();
   test_polyhedron(scaled(icosphere_soup(3), 1, 2, 5), Ellipsoid_function());
   test_polyhedron(half_sphere_soup(16), Sphere_function());
   test_point_map();
