@@ -46,7 +46,7 @@ inline double checked_size(const double size, const Eigen::Vector3d& p)
 An embedding in which lengths are relative to a size that is wanted at each place. With the target edge length 1 edges have that size
 in the embedding below; with a number of faces the sizes tell the proportions only. The length of an edge is that in the embedding
 below over the geometric mean of the sizes at its ends. Sizes should change by no more than half of a length over that length: triangles
-become thin where they change faster.
+become thin where they change faster. The named parameter `sizing_field` of `CGAL::anisotropic_hde_remeshing()` makes such an embedding.
 
 \tparam Point the type of the points that the sizes are asked for, with a constructor from three `double`
 \tparam Sizing_field a function object with `size(Point) const`, which returns a positive number, a length in the unit of the mesh, is
