@@ -251,7 +251,7 @@ private:
   const Projection m_projection;
   internal::Curve_network m_curves{m_mesh};
   Intersections m_intersections{m_mesh, internal::Obstacles(), true};
-  const Guard m_guard{m_mesh, m_projection.function(), m_intersections};
+  Guard m_guard{m_mesh, m_projection.function(), m_intersections};
   const internal::Edge_splitter<Tag, Embedding, Projection, Guard> m_split{m_mesh,   m_embedding, m_projection,
                                                                            m_curves, m_guard,     m_never};
   const internal::Edge_collapser<Tag, Embedding, Guard> m_collapse{m_mesh, m_embedding, m_curves, m_guard, m_never};
