@@ -91,8 +91,9 @@ struct Remeshing_result
   std::size_t number_of_isolated_vertices = 0; ///< isolated vertices of the input, which the result does not have
   /// Vertices of the result that are further from the zero set than 1e-8 of the diagonal of the bounding box. The distance is
   /// the value of the function over the length of its gradient. Vertices of curves and constrained ones do not count, but those of
-  /// boundaries do with `project_borders`. There are two reasons: the function led nowhere, and the vertex is on the input; or the last step would have folded a face, or made
-  /// it intersect another one if intersections are tested. Vertices are counted before `fit_to_surface` moves them.
+  /// boundaries do with `project_borders`. There are two reasons: the function led nowhere, and the vertex is on the input; or
+  /// the last step would have folded a face, or made it intersect another one if intersections are tested. Vertices are counted
+  /// before `fit_to_surface` moves them.
   std::size_t number_of_unprojected_vertices = 0;
   Projection_counters projections;
   bool was_stopped = false;             ///< whether the visitor ended the remeshing early

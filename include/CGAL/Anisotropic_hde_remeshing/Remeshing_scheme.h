@@ -35,14 +35,15 @@ enum class Remeshing_scheme
   /// more than asked. It is two fifths more once, if the mesh begins with about the right number. Next, the iteration flips
   /// edges towards valence six, or, in the last iterations, towards larger angles. In the end it smooths all vertices.
   EMBEDDING,
-  /// The input is the surface itself. If it has fewer faces than asked for, these are split first, at their longest edges. Samples of the input know which face of the
-  /// mesh is nearest, so each face knows how far it is from what it stands for. First, edges are contracted in the order of what
-  /// is lost by that, which quadrics add up. Then iterations follow. Each exchanges vertices, a contraction that costs little for
-  /// a split that gains much; flips edges where that makes the distance less; and moves the vertices where the distance is least,
-  /// on the surface or off it. Distances count by their third power, so that the largest one becomes small, too. Long triangles
-  /// have a price: they stand where they pay. Vertices of curves stay on them. With an error, edges
-  /// are contracted as long as it is kept, and faces that exceed it in the end are split. If neither an error nor a
-  /// number of faces is asked for, or an embedding is, this is `EMBEDDING`.
+  /// The input is the surface itself. If it has fewer faces than asked for, these are split first, at their longest edges.
+  /// Samples of the input know which face of the mesh is nearest, so each face knows how far it is from what it stands for.
+  /// First, edges are contracted in the order of what is lost by that, which quadrics add up. Then iterations follow. Each
+  /// exchanges vertices, a contraction that costs little for a split that gains much; flips edges where that makes the distance
+  /// less; and moves the vertices where the distance is least, on the surface or off it. Where faces were split there are no
+  /// iterations unless they are asked for. Distances count by their third power, so that the largest one becomes small, too. Long
+  /// triangles have a price: they stand where they pay. Vertices of curves stay on them. With an error, edges are contracted as
+  /// long as it is kept, and faces that exceed it in the end are split. If neither an error nor a number of faces is asked for, or
+  /// an embedding is, this is `EMBEDDING`.
   MEASURED_ERROR
 };
 
