@@ -93,6 +93,5 @@ int main()
   check_fingers("lengths in space", function, params::embedding(Hde::Normal_embedding(0)));
   check_fingers("the paper's scheme", function, params::remeshing_scheme(Hde::Remeshing_scheme::PAPER).relative_sigma(0.02));
   check_fingers("metric", function, params::embedding(Hde::Curvature_metric(2)));
-  std::cout << "done" << std::endl;
-  return 0;
+  return check_summary();
 }
