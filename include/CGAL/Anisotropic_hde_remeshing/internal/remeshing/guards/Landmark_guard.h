@@ -22,6 +22,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -53,6 +54,7 @@ class Landmark_guard
     double height; // that is expected there, before it is scaled
     Face_index face;
     std::uint32_t next; // of the same face
+    bool is_settled;    // whether the face will be the nearest one after the moves
   };
 
 public:
@@ -63,8 +65,8 @@ public:
     {
       const Halfedge_index h = mesh.halfedge(v);
       if (!mesh.point(v).is_on_input && !mesh.point(v).is_predicted())
-        m_landmarks.push_back(
-            Landmark{mesh.point(v).point, heights.at_vertices[v], mesh.face(mesh.is_border(h) ? mesh.opposite(h) : h), none});
+        m_landmarks.push_back(Landmark{mesh.point(v).point, heights.at_vertices[v],
+                                       mesh.face(mesh.is_border(h) ? mesh.opposite(h) : h), none, false});
     }
     link_all();
   }
@@ -134,11 +136,11 @@ public:
 
   // Takes moves back until no landmark is too far. Where one is, the corners of its face stay.
   template <typename ConcurrencyTag>
-  void revert(Simultaneous_moves<Mesh>& moves, Interruption& interruption) const
+  void revert(Simultaneous_moves<Mesh>& moves, Interruption& interruption)
   {
-    for (int round = 0; round < largest_number_of_rounds && !interruption.is_requested(); ++round)
-      if (moves.revert(left_faces<ConcurrencyTag>(moves)).empty())
-        break;
+    std::vector<Face_index> left = left_faces<ConcurrencyTag>(moves);
+    for (int round = 0; round < largest_number_of_rounds && !left.empty() && !interruption.is_requested(); ++round)
+      left = left_faces_around(moves.revert(std::move(left)), moves);
   }
 
 private:
@@ -175,12 +177,13 @@ private:
   }
 
   // after the moves
-  double squared_distance(const Landmark& landmark, const Face_index f, const Simultaneous_moves<Mesh>& moves) const
+  Closest_on_triangle closest(const Landmark& landmark, const Face_index f, const Simultaneous_moves<Mesh>& moves) const
   {
     const Triangle t(m_mesh.halfedge(f), m_mesh);
-    return closest_on_triangle(landmark.point, moves.state(t.a).point, moves.state(t.b).point, moves.state(t.c).point)
-        .squared_distance;
+    return closest_on_triangle(landmark.point, moves.state(t.a).point, moves.state(t.b).point, moves.state(t.c).point);
   }
+
+  static bool is_inside(const Closest_on_triangle& closest) { return closest.barycentric.minCoeff() > 0; }
 
   // whether a landmark of an old face is near one of the new ones, or as near as it was
   bool stays_near(const Landmark& landmark, const double largest, const Change& change) const
@@ -200,8 +203,10 @@ private:
   // From face to face as long as the distance becomes less. Inside of a face it is the least one nearby.
   void walk(Landmark& landmark) const
   {
+    if (std::exchange(landmark.is_settled, false))
+      return;
     Closest_on_triangle nearest = closest(landmark, landmark.face);
-    for (int step = 0; step < largest_number_of_steps && !(nearest.barycentric.minCoeff() > 0); ++step)
+    for (int step = 0; step < largest_number_of_steps && !is_inside(nearest); ++step)
     {
       const Face_index from = landmark.face;
       for_each_face_around(from,
@@ -230,7 +235,7 @@ private:
 
   // the faces of the landmarks that the moves leave too far behind
   template <typename ConcurrencyTag>
-  std::vector<Face_index> left_faces(const Simultaneous_moves<Mesh>& moves) const
+  std::vector<Face_index> left_faces(const Simultaneous_moves<Mesh>& moves)
   {
     std::vector<char> is_left(m_landmarks.size(), 0);
     parallel_for<ConcurrencyTag>(m_landmarks.size(),
@@ -242,15 +247,38 @@ private:
     return result;
   }
 
-  bool is_left_behind(const Landmark& landmark, const Simultaneous_moves<Mesh>& moves) const
+  // the same where these vertices have been taken back: their faces, and the faces around these
+  std::vector<Face_index> left_faces_around(const std::vector<Vertex_index>& vertices, const Simultaneous_moves<Mesh>& moves)
+  {
+    std::vector<Face_index> faces;
+    for (const Vertex_index v : vertices)
+      for (const Halfedge_index h : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
+        if (!m_mesh.is_border(h))
+        {
+          faces.push_back(m_mesh.face(h));
+          for_each_face_around(m_mesh.face(h), [&](const Face_index f) { faces.push_back(f); });
+        }
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    std::vector<Face_index> result;
+    for (const Face_index f : faces)
+      for (std::uint32_t i = m_first[f]; i != none; i = m_landmarks[i].next)
+        if (is_left_behind(m_landmarks[i], moves))
+          result.push_back(f);
+    return result;
+  }
+
+  bool is_left_behind(Landmark& landmark, const Simultaneous_moves<Mesh>& moves) const
   {
     const double largest = largest_square(landmark, largest_ratio);
-    double after = squared_distance(landmark, landmark.face, moves);
-    if (after <= largest)
+    const Closest_on_triangle after = closest(landmark, landmark.face, moves);
+    landmark.is_settled = is_inside(after);
+    if (after.squared_distance <= largest)
       return false;
+    double least = after.squared_distance;
     for_each_face_around(landmark.face,
-                         [&](const Face_index f) { after = (std::min)(after, squared_distance(landmark, f, moves)); });
-    return after > (std::max)(largest, closest(landmark, landmark.face).squared_distance);
+                         [&](const Face_index f) { least = (std::min)(least, closest(landmark, f, moves).squared_distance); });
+    return least > (std::max)(largest, closest(landmark, landmark.face).squared_distance);
   }
 
   const Mesh& m_mesh;
