@@ -96,7 +96,8 @@ public:
     load(soup);
     m_guard.update_all<Tag>(m_never);
     m_guard.keep_landmarks(
-        internal::Expected_heights{expected_height, std::vector<double>(internal::vertex_capacity(m_mesh), expected_height)});
+        internal::Expected_heights{expected_height, std::vector<double>(internal::vertex_capacity(m_mesh), expected_height)},
+        1);
     m_euler_characteristic = euler_characteristic();
     m_number_of_borders = number_of_borders();
     m_number_of_folds = number_of_folds();

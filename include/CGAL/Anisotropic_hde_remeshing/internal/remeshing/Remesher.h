@@ -134,7 +134,8 @@ private:
     if (m_plan.is_done())
       return;
     m_length_of_landmarks = m_target.length();
-    m_guard.keep_landmarks(expected_heights<ConcurrencyTag>(m_mesh, m_embedding, m_target.length()));
+    m_guard.keep_landmarks(expected_heights<ConcurrencyTag>(m_mesh, m_embedding, m_target.length()),
+                           m_projection.input().diagonal());
   }
 
   void scale_landmarks()

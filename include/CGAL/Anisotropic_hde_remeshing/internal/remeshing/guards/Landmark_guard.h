@@ -47,6 +47,8 @@ class Landmark_guard
   static constexpr double largest_ratio_in_regular_mesh = 5;
   // Over the root mean square of all heights: where the surface is flatter, this counts.
   static constexpr double largest_ratio_to_mean = 1.5;
+  // Over the diagonal. Flat sides have no heights, but functions and points are rounded.
+  static constexpr double largest_rounding = 1e-6;
 
   struct Landmark
   {
@@ -58,8 +60,9 @@ class Landmark_guard
   };
 
 public:
-  // the vertices that lie on the surface are the landmarks
-  Landmark_guard(const Mesh& mesh, const Expected_heights& heights) : m_mesh(mesh), m_mean_height(heights.mean)
+  // The vertices that lie on the surface are the landmarks. `diagonal` is that of the mesh.
+  Landmark_guard(const Mesh& mesh, const Expected_heights& heights, const double diagonal)
+    : m_mesh(mesh), m_mean_height(heights.mean), m_rounding(largest_rounding * diagonal)
   {
     for (const Vertex_index v : mesh.vertices())
     {
@@ -153,7 +156,7 @@ private:
   // of its distance
   double largest_square(const Landmark& landmark, const double ratio) const
   {
-    const double largest = m_scale * (std::max)(ratio * landmark.height, largest_ratio_to_mean * m_mean_height);
+    const double largest = m_rounding + m_scale * (std::max)(ratio * landmark.height, largest_ratio_to_mean * m_mean_height);
     return largest * largest;
   }
 
@@ -285,7 +288,7 @@ private:
   std::vector<Landmark> m_landmarks;
   std::vector<std::uint32_t> m_first; // by face
   std::vector<std::uint32_t> m_taken; // of an update
-  const double m_mean_height;
+  const double m_mean_height, m_rounding;
   double m_scale = 1;
   bool m_is_regular = false;
 };

@@ -50,10 +50,10 @@ public:
   // whether `update(change)` looks at the change
   bool needs_changes() const { return m_intersections.is_active() || m_landmarks; }
 
-  // from now on the vertices of the mesh are landmarks; their distances are bounded by the heights
-  void keep_landmarks(const Expected_heights& heights)
+  // From now on the vertices of the mesh are landmarks. Their distances are bounded by the heights. `diagonal` is that of the mesh.
+  void keep_landmarks(const Expected_heights& heights, const double diagonal)
   {
-    m_landmarks = std::make_unique<Landmark_guard<Mesh>>(m_mesh, heights);
+    m_landmarks = std::make_unique<Landmark_guard<Mesh>>(m_mesh, heights, diagonal);
   }
 
   // scales the heights
