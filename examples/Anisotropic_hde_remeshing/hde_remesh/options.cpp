@@ -167,7 +167,7 @@ void add_remeshing_options(CLI::App& app, Options& o)
                  "for; embedding: uniform in the embedding, vertices on the smooth surface; paper: the same by Algorithm 2 of "
                  "Dassi, Farrell and Si.\n"
                  "By default the first if a number is asked for that is at most 3/4 of that of IN, or any if more than 1/4\n"
-                 "of the area is in triangles 6 times as long as high, and nothing of the embedding or the smooth\n"
+                 "of the area is in triangles 8 times as long as high, and nothing of the embedding or the smooth\n"
                  "function; else the second")
       ->check(CLI::IsMember({"default", "measured-error", "embedding", "paper"}))
       ->group(group);

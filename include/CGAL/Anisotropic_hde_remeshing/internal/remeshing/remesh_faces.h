@@ -27,6 +27,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/input_locations.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/Mesh_storer.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/load_mesh.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/points_and_facets.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/projection/Input_surface.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/projection/Surface_function.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/remesh.h>

@@ -11,7 +11,6 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
-#include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Closest_facet.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Vector.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Interruption.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/Working_mesh.h>
@@ -121,32 +120,6 @@ void split_faces(Mesh& mesh, const double number_of_faces, Interruption& interru
 {
   Face_splitter<Mesh> splitter(mesh);
   splitter(number_of_faces, interruption);
-}
-
-template <typename Mesh>
-std::vector<Vector> points_of(const Mesh& mesh)
-{
-  std::vector<Vector> result;
-  result.reserve(mesh.number_of_vertices());
-  for (const Vertex_index v : mesh.vertices())
-    result.push_back(mesh.point(v).point);
-  return result;
-}
-
-// the faces of the mesh by their vertices, rotated so that the smallest comes first
-template <typename Mesh>
-std::vector<Facet> facets_of(const Mesh& mesh)
-{
-  std::vector<Facet> result;
-  result.reserve(mesh.number_of_faces());
-  for (const Face_index f : mesh.faces())
-  {
-    const Triangle t(mesh.halfedge(f), mesh);
-    Facet facet{std::size_t(t.a), std::size_t(t.b), std::size_t(t.c)};
-    std::rotate(facet.begin(), std::min_element(facet.begin(), facet.end()), facet.end());
-    result.push_back(facet);
-  }
-  return result;
 }
 
 } // namespace internal

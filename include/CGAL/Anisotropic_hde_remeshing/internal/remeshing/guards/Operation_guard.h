@@ -30,7 +30,8 @@ namespace Anisotropic_hde_remeshing {
 namespace internal {
 
 // What is asked of every operation. The guard judges by the change alone. No face may be folded or flattened, and none may fold
-// over an edge. If it is asked for, no face may be too far from the surface, or intersect another one.
+// over an edge. If it is asked for, no face may be too far from the surface, or intersect another one, and no landmark may be left
+// behind.
 template <typename Mesh, typename Function, typename Intersections>
 class Operation_guard
 {
