@@ -231,7 +231,8 @@ private:
                const Program_run& run, const std::optional<Mesh>& result)
   {
     const Json& json = run.json;
-    const double d = json["diagonal"], faces = json["after"]["topology"]["faces"], before = json["before"]["topology"]["faces"];
+    const double d = json["diagonal"];
+    const std::size_t faces = json["after"]["topology"]["faces"], before = json["before"]["topology"]["faces"];
     const auto pair_of = [&](const char* where)
     {
       return scientific(json["distance"][std::string("rms_") + where].get<double>() / d) + " " +
@@ -245,8 +246,8 @@ private:
     const bool is_topology_wrong = meant && c.write && !has_topology_of(*meant, json["after"]["topology"]);
     const double turned = meant && result ? turned_share(*meant, *result) : 0;
     const bool is_slow = run.seconds > largest_seconds && before <= 2000 && faces <= 1100;
-    m_table.add(name, options, before, asked(json), mark(text(faces), is_missed(json)), pair_of("output_to_input"),
-                pair_of("input_to_output"), collapse(c, json, meant, d),
+    m_table.add(name, options, std::to_string(before), asked(json), mark(std::to_string(faces), is_missed(json)),
+                pair_of("output_to_input"), pair_of("input_to_output"), collapse(c, json, meant, d),
                 mark(both("topology", "boundary_loops"), is_topology_wrong), both("topology", "components"),
                 both(nullptr, "self_intersections"), mark(text(turned), turned > 0), mark(text(run.seconds), is_slow),
                 run.megabytes, said(json));
