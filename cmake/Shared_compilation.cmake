@@ -31,7 +31,7 @@ if(CGAL_AHR_WITH_TBB AND TARGET CGAL::TBB_support)
 endif()
 
 set(instantiations_dir "${CMAKE_CURRENT_LIST_DIR}/shared_instantiations")
-set(parallel_instantiations "${instantiations_dir}/parallel.cpp" "${instantiations_dir}/with_intersections.cpp")
+set(parallel_instantiations "${instantiations_dir}/parallel.cpp")
 set(sequential_instantiations "${instantiations_dir}/sequential.cpp")
 
 if(CGAL_AHR_WITH_SHARED_COMPILATION)

@@ -17,9 +17,9 @@ namespace internal {
 
 #ifdef CGAL_LINKED_WITH_TBB
 template class Patchwise_interpolant<Polyharmonic_rbf, Parallel_tag>;
-CGAL_AHR_REMESH(Parallel_tag, Normal_embedding, No_intersections);
-CGAL_AHR_REMESH(Parallel_tag, Curvature_embedding, No_intersections);
-CGAL_AHR_REMESH_BY_ERROR(Parallel_tag, No_intersections);
+CGAL_AHR_REMESH(Parallel_tag, Normal_embedding);
+CGAL_AHR_REMESH(Parallel_tag, Curvature_embedding);
+CGAL_AHR_REMESH_BY_ERROR(Parallel_tag);
 #endif
 
 } // namespace internal

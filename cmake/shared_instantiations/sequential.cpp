@@ -16,9 +16,9 @@ namespace Anisotropic_hde_remeshing {
 namespace internal {
 
 template class Patchwise_interpolant<Polyharmonic_rbf, Sequential_tag>;
-CGAL_AHR_REMESH(Sequential_tag, Normal_embedding, No_intersections);
-CGAL_AHR_REMESH(Sequential_tag, Curvature_embedding, No_intersections);
-CGAL_AHR_REMESH_BY_ERROR(Sequential_tag, No_intersections);
+CGAL_AHR_REMESH(Sequential_tag, Normal_embedding);
+CGAL_AHR_REMESH(Sequential_tag, Curvature_embedding);
+CGAL_AHR_REMESH_BY_ERROR(Sequential_tag);
 
 } // namespace internal
 } // namespace Anisotropic_hde_remeshing

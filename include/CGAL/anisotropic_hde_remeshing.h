@@ -54,7 +54,8 @@ refused before `tmesh` is touched.
 - No face is folded: none looks against the normals at its vertices, unless it replaces a face that did so more, or a flat face.
   There are no more edges over which two faces turn by more than 143 degrees than there were before. No face becomes degenerate.
 - Vertices that are not on the zero set are counted in the result.
-- With `do_self_intersection_tests`, the result has no self-intersection that the input does not have.
+- No more pairs of faces intersect than before: none, if the input had none. Both numbers are in the result. This does not hold with
+  `do_self_intersection_tests(false)`, nor where the coordinates are not of `double` and are rounded.
 - The result does not depend on the number of threads.
 - If an exception is thrown, `tmesh` is as it was before. So are the values of the property maps at its elements, except those
   of `vertex_location_map`. Property maps that `tmesh` itself keeps are written when nothing can fail any more. Other maps may
@@ -268,12 +269,13 @@ locations are in a map that it does not keep itself.
     \cgalParamDefault{`true`}
   \cgalParamNEnd
   \cgalParamNBegin{do_self_intersection_tests}
-    \cgalParamDescription{whether operations are refused that would let a face intersect any other face of `tmesh`. An operation
-                          is not refused if one of the faces that it replaces did so already. So the result
-                          has no self-intersection that the input did not have, up to the rounding of the points where these are
-                          not of `double`. The operations take up to about five times as long.}
+    \cgalParamDescription{whether operations are refused that would let more pairs of faces of `tmesh` intersect. Operations are
+                          tested where two sheets of the input are as near to each other as the faces may be from the surface. In the
+                          end all faces are tested. If pairs have come where none were expected, the remeshing begins anew, and tests
+                          there, too. Without such places the tests cost a few per cent, where all of the mesh is such a place up to
+                          as much as the remeshing.}
     \cgalParamType{bool}
-    \cgalParamDefault{`false`}
+    \cgalParamDefault{`true`}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_location_map}
     \cgalParamDescription{is set to the closest point of the input for every vertex of the result, also for those that are not

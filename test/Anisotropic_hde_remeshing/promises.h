@@ -148,8 +148,8 @@ std::string broken(const Mesh& before, const Mesh& after, const Number_off_surfa
   const Hde::Shape_measures old_shape = Hde::measure_shape(scaled_before), shape = Hde::measure_shape(scaled_after);
   if (grows("degenerate faces", old_shape.number_of_degenerate_faces, shape.number_of_degenerate_faces) ||
       grows("folded edges", old_shape.number_of_folded_edges, shape.number_of_folded_edges) ||
-      (has_self_intersection_tests && number_of_self_intersections(scaled_before) == 0 &&
-       grows("pairs of faces that intersect", 0, number_of_self_intersections(scaled_after))))
+      (has_self_intersection_tests && grows("pairs of faces that intersect", number_of_self_intersections(scaled_before),
+                                            number_of_self_intersections(scaled_after))))
     return text.str();
   return "";
 }

@@ -13,15 +13,19 @@
 #include "promises.h"
 
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/Intersection_guard.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/Triangle_groups.h>
 #include <CGAL/Rbf_implicit_function.h>
 #include <CGAL/anisotropic_hde_remeshing.h>
 
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <iostream>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace Hde = CGAL::Anisotropic_hde_remeshing;
@@ -89,14 +93,16 @@ void test_guard()
   const std::vector<Point_3> points = {{-9, -9, 0}, {9, -9, 0}, {0, 9, 0},  {-1, 0, 1},
                                        {1, 0, 1},   {0, 1, 2},  {0, 0, -1}, {0, -1, 1}};
   const Indexed_triangle floor = triangle(points, {0, 1, 2}), above = triangle(points, {3, 4, 5}),
-                         through = triangle(points, {3, 4, 6}), beside = triangle(points, {3, 7, 4});
-  Hde::internal::Intersection_guard<CGAL::Exact_predicates_inexact_constructions_kernel> guard;
-  guard.assign({floor, above}, {1, 1});
+                         through = triangle(points, {3, 4, 6}), through_too = triangle(points, {4, 5, 6}),
+                         beside = triangle(points, {3, 7, 4});
+  Hde::internal::Intersection_guard guard;
+  guard.assign({{0, floor}, {1, above}});
   const std::vector<std::size_t> only_above = {1};
   CHECK(guard.accepts(only_above, std::vector<Indexed_triangle>{beside}));
   CHECK(!guard.accepts(only_above, std::vector<Indexed_triangle>{beside, through}));
   guard.replace(1, through);
-  CHECK(guard.accepts(only_above, std::vector<Indexed_triangle>{beside, through})); // it has intersected the floor before
+  CHECK(guard.accepts(only_above, std::vector<Indexed_triangle>{beside, through}));       // it has intersected the floor before
+  CHECK(!guard.accepts(only_above, std::vector<Indexed_triangle>{through, through_too})); // but not twice
   CHECK(guard.intersecting(1, [](std::size_t) { return true; }) == std::vector<std::size_t>{0});
   guard.replace(5, above);
   CHECK(guard.intersecting(5, [](std::size_t) { return true; }).empty());
@@ -120,7 +126,7 @@ void test_sheets()
       const auto np =
           params::relative_sigma(0.02).number_of_target_faces(std::size_t(factor * double(input.number_of_faces())));
       Mesh mesh = input, tested = input, again = input;
-      CGAL::anisotropic_hde_remeshing<CGAL::Parallel_if_available_tag>(mesh, function, np);
+      CGAL::anisotropic_hde_remeshing<CGAL::Parallel_if_available_tag>(mesh, function, np.do_self_intersection_tests(false));
       CGAL::anisotropic_hde_remeshing<CGAL::Parallel_if_available_tag>(tested, function, np.do_self_intersection_tests(true));
       CGAL::anisotropic_hde_remeshing<CGAL::Sequential_tag>(again, function, np.do_self_intersection_tests(true));
       const std::size_t number = promises::number_of_self_intersections(mesh);
@@ -137,14 +143,97 @@ void test_sheets()
   CHECK(number_without_tests > 0); // or the tests have shown nothing
 }
 
-// without an explicit `false` the tests cost nothing, with it nothing changes
-void test_off()
+// Tests are the default. Where no sheets are near, they change nothing.
+void test_default()
 {
   const Mesh input = shapes::ellipsoid(3);
-  Mesh mesh = input, off = input;
+  Mesh mesh = input, off = input, on = input;
   CGAL::anisotropic_hde_remeshing(mesh, shapes::Ellipsoid_function());
   CGAL::anisotropic_hde_remeshing(off, shapes::Ellipsoid_function(), params::do_self_intersection_tests(false));
   CHECK(remeshing_checks::digest(mesh) == remeshing_checks::digest(off));
+  Mesh sheets = shapes::to_mesh<Mesh>(awkward_shapes::plate(12, 1e-3));
+  const Function function(sheets);
+  const Hde::Remeshing_result result = CGAL::anisotropic_hde_remeshing(sheets, function, params::relative_sigma(0.02));
+  CHECK(result.number_of_self_intersections_before == 0 && result.number_of_self_intersections == 0);
+  CHECK(promises::number_of_self_intersections(sheets) == 0);
+}
+
+// two spheres that go through each other: as many pairs are told as there are, and no more come
+void test_intersecting_input()
+{
+  const Mesh input = shapes::to_mesh<Mesh>(awkward_shapes::spheres(-0.3));
+  const std::size_t before = promises::number_of_self_intersections(input);
+  CHECK(before > 0);
+  for (const double factor : {0.3, 1., 3.})
+  {
+    Mesh mesh = input;
+    const Hde::Remeshing_result result = CGAL::anisotropic_hde_remeshing(
+        mesh, params::number_of_target_faces(std::size_t(factor * double(input.number_of_faces()))));
+    const std::size_t after = promises::number_of_self_intersections(mesh);
+    std::cout << "spheres that cross, " << mesh.number_of_faces() << " faces: " << before << " pairs before, " << after
+              << " after" << std::endl;
+    CHECK(result.number_of_self_intersections_before == before);
+    CHECK(result.number_of_self_intersections == after);
+    CHECK(after <= before);
+  }
+}
+
+// all pairs of triangles of many sizes, by groups and one by one; triangles near to a place
+void test_groups()
+{
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  const auto point = [&]
+  {
+    const double x = coordinate(random), y = coordinate(random), z = coordinate(random);
+    return Vector(x, y, z);
+  };
+  std::vector<Indexed_triangle> triangles(600);
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+  {
+    const double size = std::pow(10., -double(i % 4));
+    const Vector middle = point();
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      triangles[i].vertices[k] = 3 * i + k;
+      triangles[i].points[k] = middle + size * point();
+    }
+  }
+  std::vector<std::pair<std::size_t, std::size_t>> expected;
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+    for (std::size_t k = i + 1; k < triangles.size(); ++k)
+      if (do_triangles_intersect(triangles[i], triangles[k]))
+        expected.emplace_back(i, k);
+  Hde::internal::Interruption never;
+  const Hde::internal::Triangle_groups<CGAL::Parallel_if_available_tag> groups(triangles);
+  CHECK(expected.size() > 100);
+  CHECK(groups.intersecting_pairs(never) == expected);
+
+  Hde::internal::Triangle_grids grids;
+  grids.clear(0.05);
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+    grids.insert(i, triangles[i]);
+  for (std::size_t i = 0; i < triangles.size(); i += 3)
+    grids.remove(i);
+  for (int query = 0; query < 200; ++query)
+  {
+    const Vector p = point();
+    const double distance = std::pow(10., -double(query % 4));
+    const Hde::internal::Triangle_grids::Box box(p - Vector::Constant(distance), p + Vector::Constant(distance));
+    std::vector<std::size_t> near, near_by_groups, expected_near;
+    groups.for_each_near(p, distance, [&](const std::size_t i) { near_by_groups.push_back(i); });
+    std::sort(near_by_groups.begin(), near_by_groups.end());
+    grids.for_each_near(box, [&](const std::size_t i, const Indexed_triangle&, const auto&) { near.push_back(i); });
+    std::sort(near.begin(), near.end());
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+      if (Hde::internal::Triangle_grids::box_of(triangles[i]).intersects(box))
+      {
+        CHECK(std::binary_search(near_by_groups.begin(), near_by_groups.end(), i));
+        if (i % 3 != 0)
+          expected_near.push_back(i);
+      }
+    CHECK(near == expected_near);
+  }
 }
 
 // faces that are not remeshed are in the way: those of another sphere, which the surface, a larger sphere, crosses
@@ -180,7 +269,9 @@ int main()
   }
   test_guard();
   test_sheets();
-  test_off();
+  test_default();
+  test_intersecting_input();
+  test_groups();
   test_obstacles();
   return check_summary();
 }

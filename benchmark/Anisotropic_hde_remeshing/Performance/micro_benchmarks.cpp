@@ -36,8 +36,8 @@ typedef CGAL::Parallel_if_available_tag Tag;
 typedef Hde::Normal_embedding Embedding;
 typedef internal::Working_mesh<Embedding::Vertex_data> Working_mesh;
 typedef internal::Surface_projection<Ellipsoid_function> Projection;
-typedef internal::No_intersections Intersections;
-typedef internal::Operation_guard<Working_mesh, Ellipsoid_function, Intersections> Guard;
+typedef internal::Mesh_intersections<Working_mesh> Intersections;
+typedef internal::Operation_guard<Working_mesh, Ellipsoid_function> Guard;
 
 // An ellipsoid as the remesher sees it, with the length that its edges would have if they were uniform.
 class Scene
@@ -110,8 +110,8 @@ private:
   const internal::Input_surface m_input;
   const Embedding m_embedding{1.6};
   Projection m_projection;
-  Intersections m_intersections;
   Working_mesh m_no_mesh;
+  Intersections m_intersections{m_no_mesh, internal::Obstacles(), false};
   internal::Curve_network m_curves;
   internal::Interruption m_never;
   std::vector<Working_mesh::Vertex> m_vertices;

@@ -27,6 +27,11 @@ void measure_all(const Mesh& input, const Remeshed& remeshed, const Options& opt
   const double sigma = remeshed.result.sigma, length = remeshed.result.target_edge_length;
   report.before = measure(input, remeshed.function, sigma, length, options.self_intersections);
   report.after = measure(remeshed.mesh, remeshed.function, sigma, length, options.self_intersections);
+  if (!options.self_intersections && options.avoid_self_intersections)
+  {
+    report.before.self_intersections = remeshed.result.number_of_self_intersections_before;
+    report.after.self_intersections = remeshed.result.number_of_self_intersections;
+  }
   if (!options.no_distance)
     report.distance = measure_distance(remeshed.mesh, input);
 }

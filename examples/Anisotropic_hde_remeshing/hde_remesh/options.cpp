@@ -175,8 +175,8 @@ void add_remeshing_options(CLI::App& app, Options& o)
   app.add_option("--relaxation-steps", o.relaxation_steps, "smoothing passes in an iteration")->group(group);
   app.add_option("--smoothing-ratio", o.smoothing_ratio, "share of the vertices that are smoothed, from 0 to 1")->group(group);
   app.add_option("--collapse-ratio", o.collapse_ratio, "edges shorter than this times the length are contracted")->group(group);
-  app.add_flag("--avoid-self-intersections", o.avoid_self_intersections,
-               "let no triangles intersect that do not do so in IN; takes up to about five times as long")
+  app.add_flag("--avoid-self-intersections,!--allow-self-intersections", o.avoid_self_intersections,
+               "let no more triangles intersect than do so in IN (default), or do not ask")
       ->group(group);
   app.add_option("--split-ratio", o.split_ratio, "edges longer than this times the length are split")->group(group);
 }

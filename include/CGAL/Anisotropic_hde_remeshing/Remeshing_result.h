@@ -80,8 +80,12 @@ struct Remeshing_result
   /// how many faces were aimed at: `number_of_target_faces`, or as many as there were. With an error, it is the largest number
   /// allowed. It is 0 if a length was asked for, or an error alone.
   std::size_t number_of_target_faces = 0;
-  std::size_t number_of_faces = 0;       ///< the faces that have replaced the remeshed ones; 0 if the mesh stays as it was
-  std::size_t number_of_needles = 0;     ///< of these, the faces with an aspect ratio of more than `needle_aspect_ratio`
+  std::size_t number_of_faces = 0;   ///< the faces that have replaced the remeshed ones; 0 if the mesh stays as it was
+  std::size_t number_of_needles = 0; ///< of these, the faces with an aspect ratio of more than `needle_aspect_ratio`
+  /// pairs of faces of the input that intersect, alone or with faces that are not remeshed; 0 without `do_self_intersection_tests`
+  std::size_t number_of_self_intersections_before = 0;
+  /// the same of the result: no more than before. If the visitor stopped the remeshing, those of the input are told.
+  std::size_t number_of_self_intersections = 0;
   unsigned int number_of_iterations = 0; ///< the iterations done
   std::size_t number_of_splits = 0;
   std::size_t number_of_collapses = 0;

@@ -87,7 +87,7 @@ class Session
 {
   typedef internal::Surface_projection<Surface> Projection;
   typedef internal::Mesh_intersections<Mesh> Intersections;
-  typedef internal::Operation_guard<Mesh, Surface, Intersections> Guard;
+  typedef internal::Operation_guard<Mesh, Surface> Guard;
 
 public:
   Session(const shapes::Soup& soup, const Surface& surface, const double sigma)

@@ -41,11 +41,11 @@ namespace Anisotropic_hde_remeshing {
 namespace internal {
 
 // The second of the paper's two steps: makes the mesh uniform and isotropic in the embedding by local operations.
-template <typename ConcurrencyTag, typename Embedding, typename Projection, typename Intersections>
+template <typename ConcurrencyTag, typename Embedding, typename Projection>
 class Remesher
 {
   typedef Working_mesh<typename Embedding::Vertex_data> Mesh;
-  typedef Operation_guard<Mesh, typename Projection::Function, Intersections> Guard;
+  typedef Operation_guard<Mesh, typename Projection::Function> Guard;
   typedef Local_operations<ConcurrencyTag, Embedding, Projection, Guard> Operations;
   typedef Vertex_projector<ConcurrencyTag, Embedding, Projection, Guard> Projector;
 
@@ -64,7 +64,7 @@ class Remesher
 
 public:
   Remesher(Mesh& mesh, const Embedding& embedding, const Projection& projection, const Curve_network& curves,
-           Intersections& intersections, const Remeshing_parameters& parameters, const Visitor_reference visitor)
+           Mesh_intersections<Mesh>& intersections, const Remeshing_parameters& parameters, const Visitor_reference visitor)
     : m_mesh(mesh),
       m_embedding(embedding),
       m_projection(projection),

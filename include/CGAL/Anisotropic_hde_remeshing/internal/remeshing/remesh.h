@@ -64,15 +64,37 @@ void orient(Projection& projection, Mesh& mesh)
   orient_normals(mesh, signs);
 }
 
+// The length in space of the edges of the mesh while it is remeshed, in the mean and as far as it is known: as it is, or longer. A
+// number of faces is one of equilateral triangles. A length in the embedding is no shorter than in space.
+template <typename ConcurrencyTag, typename Mesh>
+double expected_length(const Mesh& mesh, const Remeshing_parameters& parameters, const double diagonal)
+{
+  static constexpr double largest_share = 0.1; // of the diagonal, as a metric has lengths of its own
+  const auto area_of_face = [&](const std::size_t i)
+  {
+    const Face_index f(static_cast<Face_index::size_type>(i));
+    return mesh.is_removed(f) ? 0. : face_normal(mesh.halfedge(f), mesh).norm() / 2;
+  };
+  const double equilateral_area = 0.25 * std::sqrt(3.), area = parallel_sum<ConcurrencyTag>(face_capacity(mesh), area_of_face);
+  const auto length = [&](const double number_of_faces) { return std::sqrt(area / (equilateral_area * number_of_faces)); };
+  const double number_now = double(mesh.number_of_faces());
+  if (parameters.error > 0)
+    return length(number_now);
+  return parameters.target.is_length_given()
+             ? (std::max)(length(number_now), (std::min)(parameters.target.length(), largest_share * diagonal))
+             : length((std::min)(number_now, parameters.target.number_of_faces()));
+}
+
 // The second of the paper's two steps, on the copy of the mesh and in its unit. Of the caller's types the template has the
 // embedding only. So calls with other meshes and functions share what is compiled. Throws Too_many_faces.
-template <typename ConcurrencyTag, typename Embedding, typename Intersections>
+template <typename ConcurrencyTag, typename Embedding>
 Remeshing_report remesh(Working_mesh<typename Embedding::Vertex_data>& mesh, const Embedding& embedding,
-                        const Surface_function& function, const Input_surface& input, Intersections& intersections,
+                        const Surface_function& function, const Input_surface& input,
+                        Mesh_intersections<Working_mesh<typename Embedding::Vertex_data>>& intersections,
                         const Remeshing_parameters& parameters, const Visitor_reference visitor)
 {
   typedef Surface_projection<Surface_function> Projection;
-  typedef Remesher<ConcurrencyTag, Embedding, Projection, Intersections> Remesher;
+  typedef Remesher<ConcurrencyTag, Embedding, Projection> Remesher;
   static constexpr double largest_shift_of_tips = 1e-6; // over the diagonal, by the projection: one that is on the surface
 
   Real_timer timer;
@@ -81,6 +103,8 @@ Remeshing_report remesh(Working_mesh<typename Embedding::Vertex_data>& mesh, con
   Interruption& interruption = visitor.interruption();
   if (parameters.number_of_iterations > 0)
     reorder_in_space<ConcurrencyTag>(mesh, interruption);
+  const double length = expected_length<ConcurrencyTag>(mesh, parameters, input.diagonal());
+  intersections.template find_near_sheets<ConcurrencyTag>(length, parameters.error, interruption);
   Curve_network curves = curve_network(mesh, function.is_piecewise(), input.diagonal(), parameters.allowed);
   if (parameters.project_borders)
     curves.project_borders(mesh);
@@ -111,19 +135,17 @@ Remeshing_report remesh(Working_mesh<typename Embedding::Vertex_data>& mesh, con
 }
 
 #ifdef CGAL_AHR_WITH_SHARED_INSTANTIATIONS // cmake/Shared_compilation.cmake: compiled once for the package's own programs
-#  define CGAL_AHR_REMESH(ConcurrencyTag, Embedding, Intersections)                                                            \
-    template Remeshing_report remesh<ConcurrencyTag>(Working_mesh<Embedding::Vertex_data>&, const Embedding&,                  \
-                                                     const Surface_function&, const Input_surface&, Intersections&,            \
-                                                     const Remeshing_parameters&, Visitor_reference)
-typedef Mesh_intersections<Working_mesh<Normal_embedding::Vertex_data>> Intersections_with_normals;
+#  define CGAL_AHR_REMESH(ConcurrencyTag, Embedding)                                                                           \
+    template Remeshing_report remesh<ConcurrencyTag>(                                                                          \
+        Working_mesh<Embedding::Vertex_data>&, const Embedding&, const Surface_function&, const Input_surface&,                \
+        Mesh_intersections<Working_mesh<Embedding::Vertex_data>>&, const Remeshing_parameters&, Visitor_reference)
 typedef Metric_embedding<Curvature_metric> Curvature_embedding;
-extern CGAL_AHR_REMESH(Sequential_tag, Normal_embedding, No_intersections);
-extern CGAL_AHR_REMESH(Sequential_tag, Curvature_embedding, No_intersections);
+extern CGAL_AHR_REMESH(Sequential_tag, Normal_embedding);
+extern CGAL_AHR_REMESH(Sequential_tag, Curvature_embedding);
 #  ifdef CGAL_LINKED_WITH_TBB
-extern CGAL_AHR_REMESH(Parallel_tag, Normal_embedding, No_intersections);
-extern CGAL_AHR_REMESH(Parallel_tag, Curvature_embedding, No_intersections);
+extern CGAL_AHR_REMESH(Parallel_tag, Normal_embedding);
+extern CGAL_AHR_REMESH(Parallel_tag, Curvature_embedding);
 #  endif
-extern CGAL_AHR_REMESH(Parallel_if_available_tag, Normal_embedding, Intersections_with_normals);
 #endif
 
 } // namespace internal

@@ -115,19 +115,22 @@ void keep_error(Mesh& mesh, const Curve_network& curves, const Guard& guard, con
 }
 
 // Remeshes the copy of the mesh by measured error. The facets of the input are the surface.
-template <typename ConcurrencyTag, typename Intersections>
+template <typename ConcurrencyTag>
 Remeshing_report remesh_by_error(Working_mesh<Normal_embedding::Vertex_data>& mesh, const bool is_piecewise,
-                                 const Input_surface& input, Intersections& intersections,
+                                 const Input_surface& input,
+                                 Mesh_intersections<Working_mesh<Normal_embedding::Vertex_data>>& intersections,
                                  const Remeshing_parameters& parameters, const Visitor_reference visitor)
 {
   typedef Working_mesh<Normal_embedding::Vertex_data> Mesh;
   static constexpr double share_of_faces = 0.98;          // as many as these: the number of faces has been reached
   static constexpr double share_of_error_at_curves = 0.5; // the faces beside need the rest
-  typedef Operation_guard<Mesh, Surface_function, Intersections> Guard;
+  typedef Operation_guard<Mesh, Surface_function> Guard;
   Real_timer timer;
   timer.start();
   visitor.stage_started(Stage::PROJECTION);
   Remeshing_report report;
+  intersections.template find_near_sheets<ConcurrencyTag>(expected_length<ConcurrencyTag>(mesh, parameters, input.diagonal()),
+                                                          parameters.error, visitor.interruption());
   Curve_network curves = curve_network(mesh, is_piecewise, input.diagonal(), parameters.allowed);
   if (parameters.error > 0)
     curves.set_largest_deviation((std::min)(curves.largest_deviation(), share_of_error_at_curves * parameters.error));
@@ -157,15 +160,14 @@ Remeshing_report remesh_by_error(Working_mesh<Normal_embedding::Vertex_data>& me
 }
 
 #ifdef CGAL_AHR_WITH_SHARED_INSTANTIATIONS // as those of remesh.h
-#  define CGAL_AHR_REMESH_BY_ERROR(ConcurrencyTag, Intersections)                                                              \
-    template Remeshing_report remesh_by_error<ConcurrencyTag>(Working_mesh<Normal_embedding::Vertex_data>&, bool,              \
-                                                              const Input_surface&, Intersections&,                            \
-                                                              const Remeshing_parameters&, Visitor_reference)
-extern CGAL_AHR_REMESH_BY_ERROR(Sequential_tag, No_intersections);
+#  define CGAL_AHR_REMESH_BY_ERROR(ConcurrencyTag)                                                                             \
+    template Remeshing_report remesh_by_error<ConcurrencyTag>(                                                                 \
+        Working_mesh<Normal_embedding::Vertex_data>&, bool, const Input_surface&,                                              \
+        Mesh_intersections<Working_mesh<Normal_embedding::Vertex_data>>&, const Remeshing_parameters&, Visitor_reference)
+extern CGAL_AHR_REMESH_BY_ERROR(Sequential_tag);
 #  ifdef CGAL_LINKED_WITH_TBB
-extern CGAL_AHR_REMESH_BY_ERROR(Parallel_tag, No_intersections);
+extern CGAL_AHR_REMESH_BY_ERROR(Parallel_tag);
 #  endif
-extern CGAL_AHR_REMESH_BY_ERROR(Parallel_if_available_tag, Intersections_with_normals);
 #endif
 
 } // namespace internal

@@ -68,23 +68,21 @@ std::vector<Region> regions_of_faces(const Mesh_origin<TriangleMesh>& origin, co
   return result;
 }
 
-// the intersections of the mesh if they are asked for, otherwise `No_intersections`
+// the intersections of the mesh, and with the faces that are not remeshed
 template <typename NamedParameters, typename Mesh, typename TriangleMesh, typename VertexPointMap>
-auto intersections_parameter(const NamedParameters& np, const Mesh& mesh, const TriangleMesh& tmesh, const VertexPointMap vpm,
-                             const Mesh_origin<TriangleMesh>& origin, const bool is_whole_mesh)
+Mesh_intersections<Mesh> intersections_parameter(const NamedParameters& np, const Mesh& mesh, const TriangleMesh& tmesh,
+                                                 const VertexPointMap vpm, const Mesh_origin<TriangleMesh>& origin,
+                                                 const bool is_whole_mesh)
 {
-  if constexpr (is_given<NamedParameters, internal_np::do_self_intersection_tests_t>)
-  {
-    const bool is_active = parameters::get_parameter(np, internal_np::do_self_intersection_tests);
-    Obstacles obstacles;
-    if (is_active && !is_whole_mesh)
-      obstacles = load_obstacles(tmesh, vpm, origin);
-    while (!obstacles.vertex_numbers.empty() && obstacles.vertex_numbers.size() < mesh.number_of_vertices())
-      obstacles.vertex_numbers.push_back(obstacles.first_free_number++); // of vertices that the input did not have
-    return Mesh_intersections<Mesh>(mesh, std::move(obstacles), is_active);
-  }
-  else
-    return No_intersections();
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  const bool is_active = choose_parameter(get_parameter(np, internal_np::do_self_intersection_tests), true);
+  Obstacles obstacles;
+  if (is_active && !is_whole_mesh)
+    obstacles = load_obstacles(tmesh, vpm, origin);
+  while (!obstacles.vertex_numbers.empty() && obstacles.vertex_numbers.size() < mesh.number_of_vertices())
+    obstacles.vertex_numbers.push_back(obstacles.first_free_number++); // of vertices that the input did not have
+  return Mesh_intersections<Mesh>(mesh, std::move(obstacles), is_active);
 }
 
 // counts faces that are so long and thin that no one will like them
@@ -134,17 +132,22 @@ Remeshing_result remesh_faces(const FaceRange& faces, TriangleMesh& tmesh, const
   Remeshing_result result;
   Mesh mesh;
   Mesh_origin<TriangleMesh> origin;
+  const auto load = [&]
+  {
+    mesh = Mesh();
+    origin = load_mesh(tmesh, faces, vpm, constraints, interruption, mesh);
+    if constexpr (is_piecewise<Function>)
+      mesh.set_input_regions(regions_of_faces(origin, creases.face_region, number_of_pieces(function)));
+  };
   try
   {
-    origin = load_mesh(tmesh, faces, vpm, constraints, interruption, mesh);
+    load();
   }
   catch (const Interrupted&)
   {
     result.was_stopped = true;
     return result;
   }
-  if constexpr (is_piecewise<Function>)
-    mesh.set_input_regions(regions_of_faces(origin, creases.face_region, number_of_pieces(function)));
   const auto embedding_without_sizes = embedding_parameter(np, origin.diagonal);
   std::optional<Input_surface> input_with_sizes; // none if no sizes are asked for
   const Embedding embedding = [&]
@@ -163,8 +166,9 @@ Remeshing_result remesh_faces(const FaceRange& faces, TriangleMesh& tmesh, const
   const double unit_of_lengths = embedding_in_unit.unit_of_lengths(origin.unit);
   Remeshing_parameters parameters =
       remeshing_parameters(np, embedding_in_unit, origin.diagonal, origin.unit, mesh.number_of_faces());
-  if (parameters.scheme == Remeshing_scheme::MEASURED_ERROR && !(parameters.error > 0) &&
-      parameters.target.number_of_faces() > double(mesh.number_of_faces()))
+  const bool is_split = parameters.scheme == Remeshing_scheme::MEASURED_ERROR && !(parameters.error > 0) &&
+                        parameters.target.number_of_faces() > double(mesh.number_of_faces());
+  if (is_split)
   {
     split_faces(mesh, parameters.target.number_of_faces(), interruption);
     if constexpr (!is_given<NamedParameters, internal_np::number_of_iterations_t>)
@@ -172,9 +176,9 @@ Remeshing_result remesh_faces(const FaceRange& faces, TriangleMesh& tmesh, const
   }
   const Input_surface input(points_of(mesh), facets_of(mesh), origin.diagonal / origin.unit);
   auto intersections = intersections_parameter(np, mesh, tmesh, vpm, origin, is_whole_mesh);
-  try
+  const Visitor_reference listener(visitor, interruption);
+  const auto remesh_copy = [&]
   {
-    const Visitor_reference listener(visitor, interruption);
     Remeshing_report report;
     if (parameters.scheme == Remeshing_scheme::MEASURED_ERROR)
     {
@@ -186,7 +190,24 @@ Remeshing_result remesh_faces(const FaceRange& faces, TriangleMesh& tmesh, const
     else if constexpr (has_values<Function>)
       report = remesh<ConcurrencyTag>(mesh, embedding_in_unit, Surface_function(function, origin.unit), input, intersections,
                                       parameters, listener);
+    return report;
+  };
+  try
+  {
+    Remeshing_report report = remesh_copy();
+    while (intersections.template learns_from_pairs<ConcurrencyTag>(interruption))
+    {
+      load();
+      if (is_split)
+        split_faces(mesh, parameters.target.number_of_faces(), interruption);
+      report = remesh_copy();
+    }
     write_report(report, origin.unit, unit_of_lengths, result);
+  }
+  catch (const Interrupted&) // while it was loaded again
+  {
+    result.was_stopped = true;
+    return result;
   }
   catch (const Too_many_faces& too_many)
   {
@@ -206,6 +227,8 @@ Remeshing_result remesh_faces(const FaceRange& faces, TriangleMesh& tmesh, const
     result.number_of_target_faces = std::size_t(parameters.target.number_of_faces());
   result.number_of_faces = mesh.number_of_faces();
   result.number_of_needles = number_of_needles(mesh);
+  result.number_of_self_intersections_before = intersections.number_of_pairs_before();
+  result.number_of_self_intersections = intersections.number_of_pairs();
   const bool is_all_replaced = is_whole_mesh && !is_constrained<NamedParameters>;
   std::vector<Input_location> locations;
   Located_vertices<TriangleMesh> rest;

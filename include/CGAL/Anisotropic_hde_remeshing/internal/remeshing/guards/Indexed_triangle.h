@@ -41,12 +41,11 @@ struct Indexed_triangle
 };
 
 // Tells whether two triangles have more in common than the vertices and the edge that they share. Most pairs are told apart in
-// doubles, where these leave no doubt. The others are told apart exactly, by `Kernel`. Triangles without area do not intersect
-// others: only the input has them. Exact predicates take long to compile. This is a template, so that programs that do not ask
-// for them do without.
-template <typename Kernel>
+// doubles, where these leave no doubt. The others are told apart exactly. Triangles without area do not intersect
+// others: only the input has them.
 class Triangle_pair
 {
+  typedef Exact_predicates_inexact_constructions_kernel Kernel;
   // a product in doubles is exact to some 1e-15 of the product of the lengths
   static constexpr double rounding = 1e-12;
 
@@ -105,15 +104,14 @@ private:
     const Vector& v = m_s.points[m_in_s[0]];
     const Vector a = m_s.point(m_in_s[0] + 1) - v, b = m_s.point(m_in_s[0] + 2) - v, c = m_t.point(m_in_t[0] + 1) - v,
                  d = m_t.point(m_in_t[0] + 2) - v;
-    const Vector across = (a + b).stableNormalized() - (c + d).stableNormalized();
+    const Vector s = a + b, t = c + d, across = t.norm() * s - s.norm() * t;
     const auto is_ahead = [&](const Vector& way, const double sign) { return sign * way.dot(across) > rounding * way.norm(); };
     return is_ahead(a, 1) && is_ahead(b, 1) && is_ahead(c, -1) && is_ahead(d, -1);
   }
 
   bool do_intersect_exactly() const
   {
-    const typename Kernel::Triangle_3 s(point(m_s, 0), point(m_s, 1), point(m_s, 2)),
-        t(point(m_t, 0), point(m_t, 1), point(m_t, 2));
+    const Kernel::Triangle_3 s(point(m_s, 0), point(m_s, 1), point(m_s, 2)), t(point(m_t, 0), point(m_t, 1), point(m_t, 2));
     if (s.is_degenerate() || t.is_degenerate())
       return false;
     switch (m_number_of_shared)
@@ -121,12 +119,12 @@ private:
     case 0:
       return CGAL::do_intersect(s, t);
     case 1: // the sides opposite to the vertex
-      return CGAL::do_intersect(s, typename Kernel::Segment_3(point(m_t, m_in_t[0] + 1), point(m_t, m_in_t[0] + 2))) ||
-             CGAL::do_intersect(t, typename Kernel::Segment_3(point(m_s, m_in_s[0] + 1), point(m_s, m_in_s[0] + 2)));
+      return CGAL::do_intersect(s, Kernel::Segment_3(point(m_t, m_in_t[0] + 1), point(m_t, m_in_t[0] + 2))) ||
+             CGAL::do_intersect(t, Kernel::Segment_3(point(m_s, m_in_s[0] + 1), point(m_s, m_in_s[0] + 2)));
     case 2: // they intersect in one plane and on one side of the edge
     {
-      const typename Kernel::Point_3 a = point(m_s, m_in_s[0]), b = point(m_s, m_in_s[1]),
-                                     c = point(m_s, 3 - m_in_s[0] - m_in_s[1]), d = point(m_t, 3 - m_in_t[0] - m_in_t[1]);
+      const Kernel::Point_3 a = point(m_s, m_in_s[0]), b = point(m_s, m_in_s[1]), c = point(m_s, 3 - m_in_s[0] - m_in_s[1]),
+                            d = point(m_t, 3 - m_in_t[0] - m_in_t[1]);
       return CGAL::coplanar(a, b, c, d) && CGAL::coplanar_orientation(a, b, c, d) == CGAL::POSITIVE;
     }
     default:
@@ -134,10 +132,10 @@ private:
     }
   }
 
-  static typename Kernel::Point_3 point(const Indexed_triangle& triangle, const std::size_t i)
+  static Kernel::Point_3 point(const Indexed_triangle& triangle, const std::size_t i)
   {
     const Vector& p = triangle.point(i);
-    return typename Kernel::Point_3(p[0], p[1], p[2]);
+    return Kernel::Point_3(p[0], p[1], p[2]);
   }
 
   const Indexed_triangle &m_s, &m_t;
@@ -145,10 +143,9 @@ private:
   std::size_t m_number_of_shared = 0;
 };
 
-template <typename Kernel = Exact_predicates_inexact_constructions_kernel>
-bool do_triangles_intersect(const Indexed_triangle& s, const Indexed_triangle& t)
+inline bool do_triangles_intersect(const Indexed_triangle& s, const Indexed_triangle& t)
 {
-  return Triangle_pair<Kernel>(s, t).do_intersect();
+  return Triangle_pair(s, t).do_intersect();
 }
 
 } // namespace internal

@@ -11,16 +11,10 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
-#include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Vector.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/Indexed_triangle.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/Triangle_grids.h>
 
-#include <boost/geometry/algorithms/covered_by.hpp>
-#include <boost/geometry/algorithms/intersects.hpp>
-#include <boost/geometry/geometries/box.hpp>
-#include <boost/geometry/geometries/point.hpp>
-#include <boost/geometry/index/rtree.hpp>
-#include <boost/geometry/strategies/strategies.hpp>
-#include <boost/iterator/function_output_iterator.hpp>
+#include <boost/container/small_vector.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -31,80 +25,51 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// The faces of a mesh in an R-tree. It tells whether other faces would intersect them, by the predicates of `Kernel`. Faces
-// that intersect each other already may go on to do so.
-template <typename Kernel>
+// Faces by their numbers. It tells whether other faces would intersect them. Faces that intersect others already may go on to do
+// so, but no more often.
 class Intersection_guard
 {
-  typedef boost::geometry::model::point<double, 3, boost::geometry::cs::cartesian> Corner;
-  typedef boost::geometry::model::box<Corner> Box;
-  typedef std::pair<Box, std::size_t> Entry;
-  struct Is_same
-  {
-    bool operator()(const Entry& a, const Entry& b) const { return a.second == b.second; }
-  };
-  typedef boost::geometry::index::rtree<Entry, boost::geometry::index::quadratic<16>, boost::geometry::index::indexable<Entry>,
-                                        Is_same>
-      Tree;
+  typedef Triangle_grids::Box Box;
 
 public:
-  typedef std::pair<std::size_t, std::size_t> Pair;
+  typedef std::pair<std::size_t, Indexed_triangle> Numbered_triangle;
 
-  // stores all faces anew; the number f is that of a face if `is_used[f]`
-  void assign(std::vector<Indexed_triangle> triangles, std::vector<char> is_used)
+  // stores these faces alone; no two have the same number
+  void assign(const std::vector<Numbered_triangle>& triangles)
   {
-    m_triangles = std::move(triangles);
-    m_is_used = std::move(is_used);
-    std::vector<Entry> entries;
-    entries.reserve(m_triangles.size());
-    for (std::size_t f = 0; f < m_triangles.size(); ++f)
-      if (m_is_used[f])
-        entries.emplace_back(box(m_triangles[f]), f);
-    m_tree = Tree(entries); // packed
+    static constexpr double size_of_cells = 2; // over the mean size of faces: an operation looks into about eight cells
+    double sum = 0;
+    for (const Numbered_triangle& t : triangles)
+      sum += Triangle_grids::box_of(t.second).sizes().maxCoeff();
+    m_faces.clear(size_of_cells * sum / double((std::max)(triangles.size(), std::size_t(1))));
+    for (const Numbered_triangle& t : triangles)
+      m_faces.insert(t.first, t.second);
   }
 
   void remove(const std::size_t f)
   {
-    if (f >= m_is_used.size() || !m_is_used[f])
-      return;
-    m_tree.remove(Entry(box(m_triangles[f]), f));
-    m_is_used[f] = 0;
+    if (m_faces.has(f))
+      m_faces.remove(f);
   }
 
   void replace(const std::size_t f, const Indexed_triangle& triangle)
   {
     remove(f);
-    if (f >= m_is_used.size())
-    {
-      m_triangles.resize(f + 1);
-      m_is_used.resize(f + 1, 0);
-    }
-    m_triangles[f] = triangle;
-    m_is_used[f] = 1;
-    m_tree.insert(Entry(box(triangle), f));
+    m_faces.insert(f, triangle);
   }
 
-  // whether the new faces intersect only what the old ones did; they take the place of the old ones
+  // whether no more pairs intersect if the new faces take the place of the old ones
   template <typename Faces, typename Triangles>
   bool accepts(const Faces& old_faces, const Triangles& new_triangles) const
   {
-    for (std::size_t i = 0; i < new_triangles.size(); ++i)
-    {
-      for (std::size_t k = 0; k < i; ++k)
-        if (do_triangles_intersect<Kernel>(new_triangles[i], new_triangles[k]) && !do_intersect_each_other(old_faces))
-          return false;
-      bool is_accepted = true;
-      for_each_near(new_triangles[i],
-                    [&](const std::size_t f)
-                    {
-                      if (is_accepted && std::find(old_faces.begin(), old_faces.end(), f) == old_faces.end() &&
-                          do_triangles_intersect<Kernel>(new_triangles[i], m_triangles[f]))
-                        is_accepted = do_intersect_one_of(old_faces, f);
-                    });
-      if (!is_accepted)
-        return false;
-    }
-    return true;
+    const std::size_t number = number_of_pairs(new_triangles, old_faces);
+    if (number == 0)
+      return true;
+    boost::container::small_vector<Indexed_triangle, 16> old_triangles;
+    for (const std::size_t f : old_faces)
+      if (m_faces.has(f))
+        old_triangles.push_back(m_faces[f]);
+    return number <= number_of_pairs(old_triangles, old_faces);
   }
 
   // the faces among those asked for that intersect face f, in the order of their numbers
@@ -112,52 +77,57 @@ public:
   std::vector<std::size_t> intersecting(const std::size_t f, const IsAskedFor& is_asked_for) const
   {
     std::vector<std::size_t> result;
-    for_each_near(m_triangles[f],
-                  [&](const std::size_t g)
-                  {
-                    if (f != g && is_asked_for(g) && do_triangles_intersect<Kernel>(m_triangles[f], m_triangles[g]))
-                      result.push_back(g);
-                  });
+    m_faces.for_each_near(Triangle_grids::box_of(m_faces[f]),
+                          [&](const std::size_t g, const Indexed_triangle& t, const Box&)
+                          {
+                            if (f != g && is_asked_for(g) && do_triangles_intersect(m_faces[f], t))
+                              result.push_back(g);
+                          });
     std::sort(result.begin(), result.end());
     return result;
   }
 
 private:
-  static Box box(const Indexed_triangle& t)
+  // of triangles that intersect each other or faces, without some of the faces
+  template <typename Triangles, typename Faces>
+  std::size_t number_of_pairs(const Triangles& triangles, const Faces& without) const
   {
-    const Vector low = t.points[0].cwiseMin(t.points[1]).cwiseMin(t.points[2]),
-                 high = t.points[0].cwiseMax(t.points[1]).cwiseMax(t.points[2]);
-    return Box(Corner(low[0], low[1], low[2]), Corner(high[0], high[1], high[2]));
+    boost::container::small_vector<Box, 16> boxes;
+    Box all;
+    for (const Indexed_triangle& t : triangles)
+    {
+      boxes.push_back(Triangle_grids::box_of(t));
+      all.extend(boxes.back());
+    }
+    std::size_t number = number_of_pairs(triangles);
+    m_faces.for_each_near(all,
+                          [&](const std::size_t f, const Indexed_triangle& t, const Box& box)
+                          {
+                            if (std::find(without.begin(), without.end(), f) != without.end())
+                              return;
+                            for (std::size_t i = 0; i < triangles.size(); ++i)
+                              number += boxes[i].intersects(box) && do_triangles_intersect(triangles[i], t) ? 1 : 0;
+                          });
+    return number;
   }
 
-  // visits the faces whose bounding boxes meet that of the triangle
-  template <typename Visit>
-  void for_each_near(const Indexed_triangle& triangle, const Visit& visit) const
+  // Of triangles that intersect each other. They are those around a vertex or an edge: none do if all look the same way.
+  template <typename Triangles>
+  static std::size_t number_of_pairs(const Triangles& triangles)
   {
-    m_tree.query(boost::geometry::index::intersects(box(triangle)),
-                 boost::make_function_output_iterator([&](const Entry& entry) { visit(entry.second); }));
+    Vector sum = Vector::Zero();
+    for (const Indexed_triangle& t : triangles)
+      sum += t.normal();
+    if (std::all_of(triangles.begin(), triangles.end(), [&](const Indexed_triangle& t) { return t.normal().dot(sum) > 0; }))
+      return 0;
+    std::size_t number = 0;
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+      for (std::size_t k = 0; k < i; ++k)
+        number += do_triangles_intersect(triangles[i], triangles[k]) ? 1 : 0;
+    return number;
   }
 
-  template <typename Faces>
-  bool do_intersect_one_of(const Faces& faces, const std::size_t f) const
-  {
-    return std::any_of(faces.begin(), faces.end(),
-                       [&](const std::size_t g) { return do_triangles_intersect<Kernel>(m_triangles[f], m_triangles[g]); });
-  }
-
-  template <typename Faces>
-  bool do_intersect_each_other(const Faces& faces) const
-  {
-    for (auto f = faces.begin(); f != faces.end(); ++f)
-      for (auto g = faces.begin(); g != f; ++g)
-        if (do_triangles_intersect<Kernel>(m_triangles[*f], m_triangles[*g]))
-          return true;
-    return false;
-  }
-
-  std::vector<Indexed_triangle> m_triangles; // by the numbers of the faces
-  std::vector<char> m_is_used;
-  Tree m_tree;
+  Triangle_grids m_faces;
 };
 
 } // namespace internal

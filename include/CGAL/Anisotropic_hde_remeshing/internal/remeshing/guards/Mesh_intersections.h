@@ -14,7 +14,10 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Interruption.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/parallel.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/Intersection_guard.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/Near_sheets.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/Simultaneous_moves.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/Triangle_groups.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/expected_heights.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/Local_change.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/Working_mesh.h>
 
@@ -29,7 +32,7 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// The faces of the input that are not remeshed, in the unit of the working mesh.
+// The faces of the input that are not remeshed, in the unit of the working mesh, and how vertices are numbered with them.
 struct Obstacles
 {
   std::vector<Indexed_triangle> triangles;
@@ -37,33 +40,14 @@ struct Obstacles
   std::size_t first_free_number = 0;       // of vertices
 };
 
-// takes the place of `Mesh_intersections` where nobody asks for them
-class No_intersections
-{
-public:
-  bool is_active() const { return false; }
-  template <typename ConcurrencyTag, typename StateOf>
-  void assign(const StateOf&, Interruption&)
-  {
-  }
-  template <typename Change>
-  bool accepts(const Change&) const
-  {
-    return true;
-  }
-  void update(Face_index) {}
-  template <typename ConcurrencyTag, typename Moves>
-  void revert(Moves&, Interruption&, Fold_test)
-  {
-  }
-};
-
-// No operation may let a face intersect another face or an obstacle, unless one of the faces before the operation did so
-// already.
-template <typename Mesh, typename Kernel = Exact_predicates_inexact_constructions_kernel>
+// No operation may let faces intersect other faces or obstacles more often than before. Only faces near to another sheet are looked
+// at: elsewhere the guards against folds are enough. Whether they were is found out in the end.
+template <typename Mesh>
 class Mesh_intersections
 {
   typedef typename Mesh::Vertex Vertex;
+
+  static constexpr int largest_number_of_attempts = 3;
 
 public:
   // does nothing unless `is_active`
@@ -74,33 +58,84 @@ public:
 
   bool is_active() const { return m_is_active; }
 
-  // stores all faces anew, with their vertices where `state_of(vertex)` has them
-  template <typename ConcurrencyTag, typename StateOf>
-  void assign(const StateOf& state_of, Interruption& interruption)
+  // Counts the pairs of the mesh as it is, and finds where sheets of it are near for a mesh with edges of the length. The distance
+  // is that of the faces from the mesh as it is now. If it is 0, it follows from the length. Without this call all places count.
+  template <typename ConcurrencyTag>
+  void find_near_sheets(const double length, const double distance, Interruption& interruption)
+  {
+    if (!m_is_active || interruption.is_requested())
+      return;
+    if (m_number_of_attempts == 0)
+    {
+      const std::vector<Indexed_triangle> triangles = all_triangles<ConcurrencyTag>();
+      const Triangle_groups<ConcurrencyTag> groups(triangles);
+      m_number_of_pairs = m_number_of_pairs_before = groups.intersecting_pairs(interruption).size();
+      m_sheets = Near_sheets(triangles, groups,
+                             distance > 0 ? std::vector<double>(triangles.size(), distance)
+                                          : heights_over_triangles<ConcurrencyTag>(triangles, length),
+                             length);
+    }
+    update_all<ConcurrencyTag>(interruption);
+  }
+
+  // Counts the pairs of the mesh as it is now. If there are more than before, sheets are near there from now on, and after the
+  // second time everywhere. Returns whether it is worth to begin again.
+  template <typename ConcurrencyTag>
+  bool learns_from_pairs(Interruption& interruption)
+  {
+    if (!m_is_active || interruption.is_requested())
+      return false;
+    const std::vector<Indexed_triangle> triangles = all_triangles<ConcurrencyTag>();
+    const auto pairs = Triangle_groups<ConcurrencyTag>(triangles).intersecting_pairs(interruption);
+    m_number_of_pairs = pairs.size();
+    if (m_number_of_pairs <= m_number_of_pairs_before)
+      return false;
+    for (const auto& pair : pairs)
+      for (const std::size_t i : {pair.first, pair.second})
+        m_sheets.add(triangles[i]);
+    if (++m_number_of_attempts == largest_number_of_attempts - 1)
+      m_sheets = Near_sheets();
+    return m_number_of_attempts < largest_number_of_attempts;
+  }
+
+  std::size_t number_of_pairs_before() const { return m_number_of_pairs_before; }
+  std::size_t number_of_pairs() const { return m_number_of_pairs; }
+
+  // whether another sheet is near one of the faces at the ends of the edge
+  bool is_near_sheet(const Edge_index e) const
+  {
+    if (!m_is_active || m_sheets.empty())
+      return false;
+    for (const Halfedge_index h : {m_mesh.halfedge(e), m_mesh.opposite(m_mesh.halfedge(e))})
+      for (const Halfedge_index in : m_mesh.halfedges_around_target(h))
+        if (!m_mesh.is_border(in) && is_near_sheet(m_mesh.face(in)))
+          return true;
+    return false;
+  }
+
+  // stores all faces anew
+  template <typename ConcurrencyTag>
+  void update_all(Interruption& interruption)
   {
     if (!m_is_active)
       return;
-    std::vector<Indexed_triangle> triangles = m_obstacles.triangles;
-    std::vector<char> is_used(triangles.size(), 1);
-    triangles.resize(number(face_capacity(m_mesh)));
-    is_used.resize(triangles.size(), 0);
-    parallel_for<ConcurrencyTag>(
-        face_capacity(m_mesh),
-        [&](const std::size_t i)
-        {
-          const Face_index f(static_cast<Face_index::size_type>(i));
-          if (m_mesh.is_removed(f))
-            return;
-          triangles[number(i)] = triangle(f, state_of);
-          is_used[number(i)] = 1;
-        },
-        256, interruption);
-    m_guard.assign(std::move(triangles), std::move(is_used));
+    m_is_near.assign(face_capacity(m_mesh), 0);
+    if (!m_sheets.empty())
+      parallel_for<ConcurrencyTag>(
+          m_is_near.size(),
+          [&](const std::size_t i)
+          {
+            const Face_index f(static_cast<Face_index::size_type>(i));
+            m_is_near[i] = !m_mesh.is_removed(f) && m_sheets.contains(triangle(f, in_mesh()));
+          },
+          256, interruption);
+    store(in_mesh());
   }
 
   bool accepts(const Local_change<Mesh>& change) const
   {
-    if (!m_is_active)
+    if (!m_is_active || std::none_of(change.old_faces().begin(), change.old_faces().end(),
+                                     [&](const Face_index f) { return is_near_sheet(f); }))
       return true;
     boost::container::small_vector<std::size_t, 16> old_faces;
     for (const Face_index f : change.old_faces())
@@ -122,12 +157,16 @@ public:
   // to be called after the mesh has changed at face f
   void update(const Face_index f)
   {
-    if (!m_is_active)
+    if (!m_is_active || m_sheets.empty())
       return;
-    if (m_mesh.is_removed(f))
+    m_is_near.resize((std::max)(m_is_near.size(), std::size_t(f) + 1), 0);
+    const bool was_near = m_is_near[f];
+    const Indexed_triangle t = m_mesh.is_removed(f) ? Indexed_triangle() : triangle(f, in_mesh());
+    m_is_near[f] = !m_mesh.is_removed(f) && m_sheets.contains(t);
+    if (m_is_near[f])
+      m_guard.replace(number(f), t);
+    else if (was_near)
       m_guard.remove(number(f));
-    else
-      m_guard.replace(number(f), triangle(f, [&](const Vertex_index v) -> const Vertex& { return m_mesh.point(v); }));
   }
 
   // Takes back moves until no two faces intersect that have not done so before. Where this folds a face, it takes back the
@@ -135,14 +174,14 @@ public:
   template <typename ConcurrencyTag>
   void revert(Simultaneous_moves<Mesh>& moves, Interruption& interruption, const Fold_test fold_test)
   {
-    if (!m_is_active)
+    if (!m_is_active || m_sheets.empty())
       return;
     const auto state_of = [&](const Vertex_index v) -> const Vertex& { return moves.state(v); };
-    assign<ConcurrencyTag>(state_of, interruption);
-    std::vector<Face_index> faces = intersecting<ConcurrencyTag>(moves, interruption);
+    const std::vector<Face_index> near = store(state_of);
+    std::vector<Face_index> faces = intersecting<ConcurrencyTag>(near, moves, interruption);
     while (!faces.empty() && !interruption.is_requested())
     {
-      const std::vector<Face_index> changed = faces_around(moves.revert(std::move(faces), fold_test));
+      const std::vector<Face_index> changed = near_faces_around(moves.revert(std::move(faces), fold_test));
       for (const Face_index f : changed)
         m_guard.replace(number(f), triangle(f, state_of));
       faces.clear();
@@ -160,11 +199,18 @@ private:
     return Face_index(static_cast<Face_index::size_type>(number - m_obstacles.triangles.size()));
   }
 
+  bool is_near_sheet(const Face_index f) const { return std::size_t(f) < m_is_near.size() && m_is_near[f]; }
+
   std::size_t vertex_number(const Vertex_index v, const Vertex& state) const
   {
     return m_obstacles.triangles.empty() || state.input_vertex == Vertex_state::no_vertex
                ? m_obstacles.first_free_number + std::size_t(v)
                : m_obstacles.vertex_numbers[state.input_vertex];
+  }
+
+  auto in_mesh() const
+  {
+    return [this](const Vertex_index v) -> const Vertex& { return m_mesh.point(v); };
   }
 
   template <typename StateOf>
@@ -181,19 +227,51 @@ private:
     return result;
   }
 
+  // the obstacles, and the faces of the mesh
+  template <typename ConcurrencyTag>
+  std::vector<Indexed_triangle> all_triangles() const
+  {
+    std::vector<Indexed_triangle> result = m_obstacles.triangles;
+    const std::vector<Face_index> faces(m_mesh.faces().begin(), m_mesh.faces().end());
+    result.resize(result.size() + faces.size());
+    parallel_for<ConcurrencyTag>(faces.size(), [&](const std::size_t i) { result[number(i)] = triangle(faces[i], in_mesh()); });
+    return result;
+  }
+
+  // Stores the faces near to other sheets, with their vertices where `state_of(vertex)` has them, and the obstacles. Returns these
+  // faces.
+  template <typename StateOf>
+  std::vector<Face_index> store(const StateOf& state_of)
+  {
+    std::vector<Face_index> near;
+    std::vector<Intersection_guard::Numbered_triangle> triangles;
+    for (std::size_t i = 0; i < m_obstacles.triangles.size() && !m_sheets.empty(); ++i)
+      if (m_sheets.contains(m_obstacles.triangles[i]))
+        triangles.emplace_back(i, m_obstacles.triangles[i]);
+    for (std::size_t i = 0; i < m_is_near.size(); ++i)
+    {
+      const Face_index f(static_cast<Face_index::size_type>(i));
+      if (!m_is_near[i] || m_mesh.is_removed(f))
+        continue;
+      near.push_back(f);
+      triangles.emplace_back(number(i), triangle(f, state_of));
+    }
+    m_guard.assign(triangles);
+    return near;
+  }
+
   // The numbers of what intersects face f after the moves, but did not do so in the mesh. Only numbers asked for are looked at.
   template <typename IsAskedFor>
   std::vector<std::size_t> new_intersections(const Face_index f, const IsAskedFor& is_asked_for) const
   {
-    const auto in_mesh = [&](const Vertex_index v) -> const Vertex& { return m_mesh.point(v); };
     std::vector<std::size_t> result = m_guard.intersecting(number(f), is_asked_for);
     if (result.empty())
       return result;
-    const Indexed_triangle before = triangle(f, in_mesh);
+    const Indexed_triangle before = triangle(f, in_mesh());
     result.erase(std::remove_if(result.begin(), result.end(),
                                 [&](const std::size_t g) {
-                                  return do_triangles_intersect<Kernel>(before, is_obstacle(g) ? m_obstacles.triangles[g]
-                                                                                               : triangle(face(g), in_mesh));
+                                  return do_triangles_intersect(before, is_obstacle(g) ? m_obstacles.triangles[g]
+                                                                                       : triangle(face(g), in_mesh()));
                                 }),
                  result.end());
     return result;
@@ -212,7 +290,8 @@ private:
 
   // the faces that newly intersect others, and these others
   template <typename ConcurrencyTag>
-  std::vector<Face_index> intersecting(const Simultaneous_moves<Mesh>& moves, Interruption& interruption) const
+  std::vector<Face_index> intersecting(const std::vector<Face_index>& near, const Simultaneous_moves<Mesh>& moves,
+                                       Interruption& interruption) const
   {
     const auto is_moved = [&](const Face_index f)
     {
@@ -220,32 +299,32 @@ private:
       return moves.is_moved(t.a) || moves.is_moved(t.b) || moves.is_moved(t.c);
     };
     // if two faces have both moved, only the first one looks at the other
-    std::vector<char> is_intersecting(face_capacity(m_mesh), 0);
+    std::vector<char> is_intersecting(near.size(), 0);
     parallel_for<ConcurrencyTag>(
-        is_intersecting.size(),
+        near.size(),
         [&](const std::size_t i)
         {
-          const Face_index f(static_cast<Face_index::size_type>(i));
-          if (m_mesh.is_removed(f) || !is_moved(f))
+          const Face_index f = near[i];
+          if (!is_moved(f))
             return;
-          const auto is_other = [&](const std::size_t g) { return g > number(i) || is_obstacle(g) || !is_moved(face(g)); };
+          const auto is_other = [&](const std::size_t g) { return g > number(f) || is_obstacle(g) || !is_moved(face(g)); };
           is_intersecting[i] = !new_intersections(f, is_other).empty();
         },
         64, interruption);
     std::vector<Face_index> result;
-    for (std::size_t i = 0; i < is_intersecting.size(); ++i)
+    for (std::size_t i = 0; i < near.size(); ++i)
       if (is_intersecting[i])
-        add_new_intersections(Face_index(static_cast<Face_index::size_type>(i)), result);
+        add_new_intersections(near[i], result);
     return result;
   }
 
-  // the faces around the vertices, each once
-  std::vector<Face_index> faces_around(const std::vector<Vertex_index>& vertices) const
+  // the faces around the vertices to which another sheet is near, each once
+  std::vector<Face_index> near_faces_around(const std::vector<Vertex_index>& vertices) const
   {
     std::vector<Face_index> result;
     for (const Vertex_index v : vertices)
       for (const Halfedge_index h : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
-        if (!m_mesh.is_border(h))
+        if (!m_mesh.is_border(h) && is_near_sheet(m_mesh.face(h)))
           result.push_back(m_mesh.face(h));
     std::sort(result.begin(), result.end());
     result.erase(std::unique(result.begin(), result.end()), result.end());
@@ -255,7 +334,11 @@ private:
   const Mesh& m_mesh;
   const Obstacles m_obstacles;
   const bool m_is_active;
-  Intersection_guard<Kernel> m_guard;
+  Near_sheets m_sheets;
+  std::vector<char> m_is_near; // by face; the guard has these faces
+  Intersection_guard m_guard;
+  std::size_t m_number_of_pairs_before = 0, m_number_of_pairs = 0;
+  int m_number_of_attempts = 0;
 };
 
 } // namespace internal

@@ -16,6 +16,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/Face_guard.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/Fold_guard.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/Landmark_guard.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/Mesh_intersections.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/Simultaneous_moves.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/Local_change.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/Working_mesh.h>
@@ -32,21 +33,21 @@ namespace internal {
 // What is asked of every operation. The guard judges by the change alone. No face may be folded or flattened, and none may fold
 // over an edge. If it is asked for, no face may be too far from the surface, or intersect another one, and no landmark may be left
 // behind.
-template <typename Mesh, typename Function, typename Intersections>
+template <typename Mesh, typename Function>
 class Operation_guard
 {
   typedef Local_change<Mesh> Change;
 
 public:
-  Operation_guard(const Mesh& mesh, const Function& function, Intersections& intersections)
+  Operation_guard(const Mesh& mesh, const Function& function, Mesh_intersections<Mesh>& intersections)
     : m_mesh(mesh), m_faces(mesh), m_folds(mesh), m_deviation(function), m_intersections(intersections)
   {
   }
 
   void set_largest_distance(const double distance) { m_deviation.set_largest_distance(distance); }
 
-  // whether `accepts()` depends only on what is next to the change
-  bool is_local() const { return !m_intersections.is_active(); }
+  // whether `accepts()` depends only on what is next to an operation at the edge
+  bool is_local(const Edge_index e) const { return !m_intersections.is_near_sheet(e); }
 
   // whether `update(change)` looks at the change
   bool needs_changes() const { return m_intersections.is_active() || m_landmarks; }
@@ -73,8 +74,8 @@ public:
 
   bool accepts(const Change& change) const
   {
-    return m_faces.accepts(change) && m_folds.accepts(change) && m_intersections.accepts(change) && accepts_distance(change) &&
-           (!m_landmarks || m_landmarks->accepts(change));
+    return m_faces.accepts(change) && m_folds.accepts(change) && accepts_distance(change) &&
+           (!m_landmarks || m_landmarks->accepts(change)) && m_intersections.accepts(change); // the last one takes longest
   }
 
   // The update functions are called after an operation: for the faces of a change, on both sides of an edge, or around a
@@ -107,8 +108,7 @@ public:
   template <typename ConcurrencyTag>
   void update_all(Interruption& interruption) const
   {
-    m_intersections.template assign<ConcurrencyTag>(
-        [&](const Vertex_index v) -> const typename Mesh::Vertex& { return m_mesh.point(v); }, interruption);
+    m_intersections.template update_all<ConcurrencyTag>(interruption);
   }
 
   // is called before it; `new_faces` has the new numbers by the old ones
@@ -179,7 +179,7 @@ private:
   const Fold_guard<Mesh> m_folds;
   Deviation_guard<Function> m_deviation;
   std::unique_ptr<Landmark_guard<Mesh>> m_landmarks; // none if nobody keeps them
-  Intersections& m_intersections;                    // kept up to date by the operations
+  Mesh_intersections<Mesh>& m_intersections;         // kept up to date by the operations
 };
 
 } // namespace internal

@@ -12,6 +12,7 @@
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/parallel.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/Indexed_triangle.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/Working_mesh.h>
 
 #include <algorithm>
@@ -72,6 +73,41 @@ Expected_heights expected_heights(const Mesh& mesh, const Embedding& embedding, 
   for (const Edge_index e : mesh.edges())
     for (const Vertex_index v : {mesh.vertex(e, 0), mesh.vertex(e, 1)})
       result.at_vertices[v] = (std::max)(result.at_vertices[v], heights[e]);
+  return result;
+}
+
+// the same for the edges of each triangle and a length in space; numbers of vertices tell which triangles are neighbours
+template <typename ConcurrencyTag>
+std::vector<double> heights_over_triangles(const std::vector<Indexed_triangle>& triangles, const double length)
+{
+  struct Vertex
+  {
+    Vector point, normal;
+  };
+  std::size_t number_of_vertices = 0;
+  for (const Indexed_triangle& t : triangles)
+    number_of_vertices = (std::max)({number_of_vertices, t.vertices[0] + 1, t.vertices[1] + 1, t.vertices[2] + 1});
+  std::vector<Vertex> vertices(number_of_vertices, Vertex{Vector::Zero(), Vector::Zero()});
+  for (const Indexed_triangle& t : triangles)
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      vertices[t.vertices[k]].point = t.points[k];
+      vertices[t.vertices[k]].normal += t.normal();
+    }
+  for (Vertex& v : vertices)
+    v.normal.stableNormalize();
+  std::vector<double> result(triangles.size());
+  parallel_for<ConcurrencyTag>(triangles.size(),
+                               [&](const std::size_t i)
+                               {
+                                 for (std::size_t k = 0; k < 3; ++k)
+                                 {
+                                   const Vertex &a = vertices[triangles[i].vertices[k]],
+                                                &b = vertices[triangles[i].vertices[(k + 1) % 3]];
+                                   result[i] =
+                                       (std::max)(result[i], expected_height(a, b, length, (b.point - a.point).squaredNorm()));
+                                 }
+                               });
   return result;
 }
 

@@ -72,7 +72,7 @@ public:
       const Edge_index e = candidates[i].second;
       if (m_mesh.is_removed(e))
         continue;
-      if (!m_guard.is_local() || is_touched_around(e, is_touched))
+      if (is_touched_around(e, is_touched) || (choices[i].is_valid() && !m_guard.is_local(e)))
         choices[i] = internal::squared_length(e, m_mesh, m_embedding) < squared_length ? choose(e, squared_longest)
                                                                                        : Mesh::null_halfedge();
       if (!choices[i].is_valid() || !CGAL::Euler::does_satisfy_link_condition(e, m_mesh.graph()))

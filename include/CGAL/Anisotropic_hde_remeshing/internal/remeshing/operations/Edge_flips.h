@@ -109,7 +109,7 @@ private:
       if (m_interruption.poll())
         break;
       const Quad q = quad(e);
-      const bool is_changed = is_touched[q.a] || is_touched[q.b] || is_touched[q.c] || is_touched[q.d] || !m_guard.is_local();
+      const bool is_changed = is_touched[q.a] || is_touched[q.b] || is_touched[q.c] || is_touched[q.d] || !m_guard.is_local(e);
       if (is_changed && !gains(e))
         continue;
       flip(e);

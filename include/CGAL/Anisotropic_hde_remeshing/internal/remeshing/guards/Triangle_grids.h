@@ -1,0 +1,214 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+#ifndef CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_GUARDS_TRIANGLE_GRIDS_H
+#define CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_GUARDS_TRIANGLE_GRIDS_H
+
+#include <CGAL/license/Anisotropic_hde_remeshing.h>
+
+#include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Vector.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/Indexed_triangle.h>
+
+#include <Eigen/Geometry>
+
+#include <boost/container/small_vector.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <unordered_map>
+#include <vector>
+
+namespace CGAL {
+namespace Anisotropic_hde_remeshing {
+namespace internal {
+
+// Triangles that come and go, by their numbers, and those whose bounding boxes meet a box. Most are in one grid, larger ones in
+// others with larger cells. A triangle is in the cells that it meets, eight at most. In an R-tree, to insert and to remove a triangle
+// takes ten times as long.
+class Triangle_grids
+{
+  typedef Eigen::Matrix<std::int64_t, 3, 1> Cell;
+  typedef boost::container::small_vector<std::uint32_t, 6> Slots;
+  struct Hash
+  {
+    std::size_t operator()(const std::uint64_t key) const { return std::size_t(key); } // keys are mixed already
+  };
+  struct Grid
+  {
+    std::size_t number_of_triangles = 0;
+    std::unordered_map<std::uint64_t, Slots, Hash> cells;
+  };
+
+public:
+  typedef Eigen::AlignedBox3d Box;
+
+  static Box box_of(const Indexed_triangle& t)
+  {
+    return Box(t.points[0].cwiseMin(t.points[1]).cwiseMin(t.points[2]),
+               t.points[0].cwiseMax(t.points[1]).cwiseMax(t.points[2]));
+  }
+
+  // `size` is that of most of the triangles to come
+  void clear(const double size)
+  {
+    m_size = size > 0 ? size : 1;
+    m_grids.clear();
+    m_entries.clear();
+    m_free.clear();
+    m_slots.clear();
+  }
+
+  bool has(const std::size_t number) const { return number < m_slots.size() && m_slots[number] != none; }
+
+  const Indexed_triangle& operator[](const std::size_t number) const { return m_entries[m_slots[number]].triangle; }
+
+  // it must not be there yet
+  void insert(const std::size_t number, const Indexed_triangle& triangle)
+  {
+    if (number >= m_slots.size())
+      m_slots.resize(number + 1, none);
+    if (m_free.empty())
+    {
+      m_free.push_back(std::uint32_t(m_entries.size()));
+      m_entries.emplace_back();
+    }
+    const std::uint32_t slot = m_slots[number] = m_free.back();
+    m_free.pop_back();
+    const Box box = box_of(triangle);
+    m_entries[slot] = Entry{triangle, box, number, level_of(box)};
+    Grid& grid = m_grids[m_entries[slot].level];
+    ++grid.number_of_triangles;
+    for_each_cell(box, m_entries[slot].level, [&](const Cell& c) { grid.cells[key(c)].push_back(slot); });
+  }
+
+  // it must be there
+  void remove(const std::size_t number)
+  {
+    const std::uint32_t slot = m_slots[number];
+    const Entry& entry = m_entries[slot];
+    const auto grid = m_grids.find(entry.level);
+    for_each_cell(entry.box, entry.level,
+                  [&](const Cell& c)
+                  {
+                    const auto cell = grid->second.cells.find(key(c));
+                    cell->second.erase(std::find(cell->second.begin(), cell->second.end(), slot));
+                    if (cell->second.empty())
+                      grid->second.cells.erase(cell);
+                  });
+    if (--grid->second.number_of_triangles == 0)
+      m_grids.erase(grid);
+    m_free.push_back(slot);
+    m_slots[number] = none;
+  }
+
+  // calls `visit(number, triangle, box)` once for each triangle whose box meets the box, in any order
+  template <typename Visit>
+  void for_each_near(const Box& box, const Visit& visit) const
+  {
+    for (const auto& level : m_grids)
+    {
+      const Vector number_of_cells = (box.sizes() / size_of_cells(level.first)).array() + 1.;
+      if (number_of_cells.prod() > double(level.second.number_of_triangles))
+        for_each_in_grid(level.second, level.first, box, visit);
+      else
+        for_each_cell(box, level.first,
+                      [&](const Cell& c)
+                      {
+                        const auto found = level.second.cells.find(key(c));
+                        if (found != level.second.cells.end())
+                          for_each_in_cell(found->second, c, level.first, box, visit);
+                      });
+    }
+  }
+
+private:
+  static constexpr std::uint32_t none = std::uint32_t(-1);
+  static constexpr double growth = 4; // of the cells from grid to grid
+
+  struct Entry
+  {
+    Indexed_triangle triangle;
+    Box box;
+    std::size_t number;
+    int level;
+  };
+
+  // as large as the boxes at least
+  double size_of_cells(const int level) const { return m_size * std::pow(growth, level); }
+
+  int level_of(const Box& box) const
+  {
+    int level = 0;
+    for (double size = m_size; size < box.sizes().maxCoeff(); size *= growth)
+      ++level;
+    return level;
+  }
+
+  Cell cell(const Vector& p, const int level) const
+  {
+    return (p / size_of_cells(level)).array().floor().matrix().cast<std::int64_t>();
+  }
+
+  // Cells may have the same key: boxes tell.
+  static std::uint64_t key(const Cell& c)
+  {
+    std::uint64_t x = std::uint64_t(c[0]) * 0x9E3779B97F4A7C15u ^ std::uint64_t(c[1]) * 0xC2B2AE3D27D4EB4Fu ^
+                      std::uint64_t(c[2]) * 0x165667B19E3779F9u;
+    return x ^ (x >> 32);
+  }
+
+  template <typename Visit>
+  void for_each_cell(const Box& box, const int level, const Visit& visit) const
+  {
+    const Cell first = cell(box.min(), level), last = cell(box.max(), level);
+    Cell c;
+    for (c[0] = first[0]; c[0] <= last[0]; ++c[0])
+      for (c[1] = first[1]; c[1] <= last[1]; ++c[1])
+        for (c[2] = first[2]; c[2] <= last[2]; ++c[2])
+          visit(c);
+  }
+
+  // a triangle in several cells is visited in the first one that it shares with the box
+  template <typename Visit>
+  void for_each_in_cell(const Slots& slots, const Cell& c, const int level, const Box& box, const Visit& visit) const
+  {
+    for (const std::uint32_t slot : slots)
+    {
+      const Entry& entry = m_entries[slot];
+      if (entry.box.intersects(box) && cell(entry.box.min().cwiseMax(box.min()), level) == c)
+        visit(entry.number, entry.triangle, entry.box);
+    }
+  }
+
+  template <typename Visit>
+  void for_each_in_grid(const Grid& grid, const int level, const Box& box, const Visit& visit) const
+  {
+    for (const auto& cell_of_grid : grid.cells)
+      for (const std::uint32_t slot : cell_of_grid.second)
+      {
+        const Entry& entry = m_entries[slot];
+        if (entry.box.intersects(box) && key(cell(entry.box.min(), level)) == cell_of_grid.first)
+          visit(entry.number, entry.triangle, entry.box);
+      }
+  }
+
+  double m_size = 1;           // of the cells of the first grid
+  std::map<int, Grid> m_grids; // by level
+  std::vector<Entry> m_entries;
+  std::vector<std::uint32_t> m_free;  // of the entries
+  std::vector<std::uint32_t> m_slots; // the entries of the numbers
+};
+
+} // namespace internal
+} // namespace Anisotropic_hde_remeshing
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_REMESHING_GUARDS_TRIANGLE_GRIDS_H
