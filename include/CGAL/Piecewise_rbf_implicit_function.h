@@ -13,6 +13,7 @@
 
 #include <CGAL/Anisotropic_hde_remeshing/Piecewise_rbf_diagnostics.h>
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_visitor.h>
+#include <CGAL/Anisotropic_hde_remeshing/Smoothing.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/functions/Jet.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Vector.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/interpolation_parameters.h>
@@ -21,6 +22,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/visitor_parameter.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/Region_function.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/build_region_functions.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/regions/noise_of_regions.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/split_regions.h>
 #include <CGAL/Anisotropic_hde_remeshing/parameters.h>
 #include <CGAL/Radial_basis_functions.h>
@@ -238,7 +240,7 @@ private:
     namespace internal = Anisotropic_hde_remeshing::internal;
     Real_timer timer;
     timer.start();
-    internal::interpolation_parameters(np); // throws if one is wrong
+    const internal::Interpolation_parameters interpolation = internal::interpolation_parameters(np); // throws if one is wrong
     Anisotropic_hde_remeshing::Remeshing_visitor nobody;
     internal::Visitor_parameter<NamedParameters> visitor = internal::visitor_parameter(np, nobody);
     internal::Interruption interruption([&visitor] { return visitor.go_further(); },
@@ -248,11 +250,24 @@ private:
         face_region, interruption);
     interruption.report(internal::share_of_sample);
     const auto data = std::make_shared<Data>();
-    for (auto& function : internal::build_region_functions<Field, ConcurrencyTag>(regions, np, interruption))
+    const auto build_regions = [&](const auto& parameters)
     {
-      function.add_to(data->diagnostics);
-      data->pieces.push_back(Piece(std::move(function)));
+      for (auto& function : internal::build_region_functions<Field, ConcurrencyTag>(regions, parameters, interruption))
+      {
+        function.add_to(data->diagnostics);
+        data->pieces.push_back(Piece(std::move(function)));
+      }
+    };
+    if constexpr (std::is_same<internal::Given_type<NamedParameters, Anisotropic_hde_remeshing::internal_np::smoothing_t>,
+                               Anisotropic_hde_remeshing::Smoothing>::value)
+    {
+      // one noise for all regions, as most of them may be too small to tell
+      const double noise = interpolation.estimates_noise ? internal::noise_of_regions<ConcurrencyTag>(regions, interruption)
+                                                         : interpolation.noise;
+      build_regions(Anisotropic_hde_remeshing::parameters::begin_with(np).smoothing(noise));
     }
+    else
+      build_regions(np);
     data->diagnostics.seconds = timer.time();
     m_data = data;
     interruption.report(1);

@@ -14,6 +14,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/Principal_curvatures.h>
 #include <CGAL/Anisotropic_hde_remeshing/Rbf_diagnostics.h>
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_visitor.h>
+#include <CGAL/Anisotropic_hde_remeshing/Smoothing.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/functions/Jet.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Vector.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Patchwise_interpolant.h>
@@ -70,6 +71,13 @@ points are added there, and the patches around are solved again, twice at most. 
 facets answers for the patch, as below. With `smoothing` there are no such points and there is no such check, as vertices and facets
 are uncertain. `diagnostics()` counts all of this.
 
+<b>Noise.</b> With `smoothing` the function need not meet the points: it is the most likely one, if the points are off the surface by
+noise of that standard deviation. In each patch the heights of the points over a plane tell how much the surface bends (restricted
+maximum likelihood). A point and its off-surface points are off by the same error. So small offsets still tell the slope, and normals need
+not be exact. `AUTOMATIC_SMOOTHING` estimates the noise from the heights in at most 400 patches, and takes the median. Exact data come out
+as 0 and are interpolated, as do data with noise of less than 1/200 of the spacing. On smooth shapes with Gaussian noise of .03 to .5
+spacings the estimate is 0 to 12% too large. Detail that is finer than a few spacings counts as noise, as on a mesh that was simplified.
+
 <b>Near and far.</b> From 2.5 to 3.5 local spacings away from the points the function passes to the signed distance to the input
 itself: to the facets of a mesh, or to the tangent planes of the nearest points. Interpolants would only extrapolate there, and
 might vanish where there is no surface. So the sign is right everywhere for a closed mesh that does not intersect itself, and
@@ -78,8 +86,8 @@ at points that are equally far from two parts of the surface. Its Hessian is zer
 
 <b>Self-check.</b> After a patch is solved, its function is checked around its facets, or around its points if the input is a
 range. The sign is checked at a quarter to twice the local spacing, the gradient and the distance of the zero set at the facets
-or points. A patch that fails in at most a tenth of its checks is solved again: with smaller offsets, with a little smoothing, and
-with both smoothing and a wider view. A solution is kept if it at least halves the number of failures. A patch may still fail in more
+or points. If there is noise, the sides of a point are those of the zero set near it. A patch that fails in at most a tenth of its checks
+is solved again: with smaller offsets, with a little smoothing, and with both smoothing and a wider view. A solution is kept if it at least halves the number of failures. A patch may still fail in more
 than a twentieth of its checks, where sampling is too coarse for the shape. There the function is the signed distance to the input,
 with a gradient along the interpolated normals of the input, blended with the neighbouring patches. `diagnostics()` counts these
 patches.
@@ -167,22 +175,24 @@ public:
       \cgalParamDefault{`false`}
     \cgalParamNEnd
     \cgalParamNBegin{smoothing}
-      \cgalParamDescription{the ridge added to the diagonal of the interpolation matrices, in which the local distance between
-                            points is 1. It lets the function miss the data so as to be smoother, against noise in points and
-                            normals. 0 interpolates. `Rbf_diagnostics::worst_value_residual` tells by how much it misses.}
+      \cgalParamDescription{the standard deviation of the noise of the points, in the unit of the coordinates, or
+                            `Anisotropic_hde_remeshing::AUTOMATIC_SMOOTHING`: it is estimated. 0 interpolates.
+                            `Rbf_diagnostics::noise` tells the estimate, `Rbf_diagnostics::worst_value_residual` by how much the
+                            function misses the data.}
+      \cgalParamType{a number that is finite and not negative, or `Anisotropic_hde_remeshing::Smoothing`}
       \cgalParamDefault{0}
     \cgalParamNEnd
     \cgalParamNBegin{points_on_facets}
       \cgalParamDescription{if `input` is a mesh: whether to interpolate points on facets, too, where these are large for what
                             is around them, and to check the function on all facets}
       \cgalParamType{Boolean}
-      \cgalParamDefault{`true`, but without effect with `smoothing`}
+      \cgalParamDefault{`true`, but without effect if there is noise}
     \cgalParamNEnd
     \cgalParamNBegin{detect_edges}
       \cgalParamDescription{if `input` is a mesh: whether vertices at which facets turn by more than a radian across an edge, and
                             those at tips of cones and spikes, have no off-surface points}
       \cgalParamType{Boolean}
-      \cgalParamDefault{`true`, but without effect with `smoothing` or `vertex_normal_map`}
+      \cgalParamDefault{`true`, but without effect if there is noise, or with `vertex_normal_map`}
     \cgalParamNEnd
     \cgalParamNBegin{radial_function}
       \cgalParamDescription{the object of type `RadialFunction`}
@@ -289,7 +299,8 @@ private:
                                         [&visitor](const double share) { visitor.progress(share); });
     const RadialFunction function =
         choose_parameter(get_parameter(np, Anisotropic_hde_remeshing::internal_np::radial_function), RadialFunction());
-    const std::shared_ptr<const Surface_sample> sample = internal::sample_input<ConcurrencyTag>(input, np, interruption);
+    const std::shared_ptr<const Surface_sample> sample =
+        internal::sample_input<ConcurrencyTag>(input, np, interpolation, interruption);
     interruption.report(internal::share_of_sample);
     m_normalization = sample->normalization;
     m_squared_radius = squared_radius(*sample);
@@ -297,7 +308,8 @@ private:
     const double input_seconds = timer.time();
     m_interpolant = std::make_shared<const Interpolant>(sample, internal::distance_to_input<MeshOrPointRange>(sample),
                                                         interpolation, function, m_normalization.scale, interruption);
-    m_diagnostics = complete(m_interpolant->diagnostics(), m_interpolant->sample(), input_seconds);
+    m_diagnostics = complete(m_interpolant->diagnostics(), m_interpolant->sample(), input_seconds,
+                             interpolation.noise / m_normalization.scale);
     interruption.report(1);
   }
 
@@ -344,9 +356,10 @@ private:
   }
 
   std::shared_ptr<const Anisotropic_hde_remeshing::Rbf_diagnostics>
-  complete(Anisotropic_hde_remeshing::Rbf_diagnostics diagnostics, const Surface_sample& sample,
-           const double input_seconds) const
+  complete(Anisotropic_hde_remeshing::Rbf_diagnostics diagnostics, const Surface_sample& sample, const double input_seconds,
+           const double noise) const
   {
+    diagnostics.noise = noise;
     diagnostics.number_of_points = sample.size();
     diagnostics.number_of_points_on_facets = sample.number_of_points_on_facets;
     diagnostics.number_of_points_on_edges =

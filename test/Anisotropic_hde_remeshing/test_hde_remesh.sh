@@ -122,6 +122,11 @@ check "thin plate" run 0 $sphere t.off --kernel thin-plate --patches 30 --overla
 for kernel in gaussian multiquadric inverse-multiquadric wendland-c2 wendland-c4 wendland-c6; do
   check "$kernel" run 0 $sphere k.off --kernel $kernel --shape 2.5 --smoothing 1e-6 $quick
 done
+check "smoothing" run 0 $sphere k.off --smoothing 0.01 $quick --json w.json
+check "is told" grep -q "^noise of the vertices" stdout
+check "also in the JSON" grep -q '"noise": 0.01' w.json
+check "estimated noise" run 0 $sphere k.off --smoothing auto $quick --json w.json
+check "of an exact sphere is none" grep -Eq '"noise": 0(\.0)?,' w.json
 check "constants" run 0 $sphere c.off $quick --smoothing-ratio 0.5 --collapse-ratio 0.7 --split-ratio 1.4 \
   --relaxation-steps 2
 check "scheme of the paper" run 0 $sphere p.off --scheme paper $quick
@@ -276,6 +281,7 @@ refuses 2 "cubic" $sphere precious.off --kernel cubic
 refuses 1 "shape" $sphere precious.off --shape 3
 refuses 1 "shape" $sphere precious.off --kernel gaussian --shape -1
 refuses 1 "smoothing" $sphere precious.off --smoothing -1
+refuses 2 "smoothing" $sphere precious.off --smoothing much
 refuses 2 "excludes" $sphere precious.off --faces 100 --vertices 100
 refuses 2 "excludes" $sphere precious.off --faces 100 --length 1
 refuses 2 "excludes" $sphere precious.off --sigma .1 --absolute-sigma 1

@@ -62,7 +62,8 @@ Built_function build_with(const Mesh& mesh, const Options& o)
   const auto np = params::vertex_point_map(mesh.points())
                       .radial_function(radial_function<RadialFunction>(o))
                       .patch_overlap(o.overlap.value_or(defaults.patch_overlap))
-                      .smoothing(o.smoothing.value_or(defaults.smoothing))
+                      .smoothing(o.automatic_smoothing ? CGAL::Anisotropic_hde_remeshing::AUTOMATIC_SMOOTHING
+                                                       : CGAL::Anisotropic_hde_remeshing::Smoothing(o.smoothing.value_or(0)))
                       .points_on_facets(!o.vertices_only)
                       .detect_edges(!o.smooth_edges);
   // how many points there will be, and with them patches, is not known here

@@ -64,7 +64,7 @@ void warn_of_options(const Options& options, const Remeshed& remeshed, Report& r
     const std::vector<std::pair<const char*, bool>> given = {
         {"--kernel", options.kernel != "r3"},       {"--shape", options.shape.has_value()},
         {"--patches", options.patches.has_value()}, {"--overlap", options.overlap.has_value()},
-        {"--offset", options.offset.has_value()},   {"--smoothing", options.smoothing.has_value()},
+        {"--offset", options.offset.has_value()},   {"--smoothing", options.smoothing || options.automatic_smoothing},
         {"--vertices-only", options.vertices_only}, {"--smooth-edges", options.smooth_edges}};
     for (const auto& [name, is_given] : given)
       if (is_given)
@@ -73,7 +73,7 @@ void warn_of_options(const Options& options, const Remeshed& remeshed, Report& r
   }
   const std::size_t number = remeshed.rbf ? remeshed.rbf->number_of_patches : remeshed.pieces->number_of_patches,
                     on_fallback = remeshed.rbf ? remeshed.rbf->patches_on_fallback : remeshed.pieces->patches_on_fallback;
-  if (options.smoothing && 2 * on_fallback > number)
+  if ((options.smoothing || options.automatic_smoothing) && 2 * on_fallback > number)
     report.warnings.push_back("--smoothing has " + std::string(on_fallback == number ? "no" : "little") +
                               " effect: " + std::to_string(on_fallback) + " of " + std::to_string(number) +
                               " patches of the function are answered by IN itself");

@@ -143,8 +143,22 @@ void add_function_options(CLI::App& app, Options& o)
                  "distance of the off-surface points, in the unit of the mesh\n"
                  "(default: a share of the local edge length)")
       ->group(group);
-  app.add_option("--smoothing", o.smoothing,
-                 "ridge on the interpolation matrices, against noise: the surface may miss the vertices (default: 0)")
+  app.add_option_function<std::string>(
+         "--smoothing",
+         [&o](const std::string& text)
+         {
+           double value = 0;
+           if (text == "auto")
+             o.automatic_smoothing = true;
+           else if (CLI::detail::lexical_cast(text, value))
+             o.smoothing = value;
+           else
+             throw CLI::ConversionError("Could not convert: --smoothing = " + text);
+         },
+         "standard deviation of the noise of the vertices, in the unit of the mesh, which the surface misses them by; or "
+         "auto:\n"
+         "estimated (default: 0)")
+      ->type_name("FLOAT|auto")
       ->group(group);
   app.add_flag("--smooth-edges", o.smooth_edges,
                "where triangles turn by more than 57 degrees, take normals between theirs: there the surface swells")

@@ -32,7 +32,7 @@ struct Options
   std::string kernel = "r3";
   std::optional<long long> patches;
   std::optional<double> shape, overlap, offset, smoothing;
-  bool vertices_only = false, smooth_edges = false;
+  bool automatic_smoothing = false, vertices_only = false, smooth_edges = false;
   std::optional<long long> iterations, relaxation_steps;
   std::optional<double> smoothing_ratio, collapse_ratio, split_ratio;
   std::string scheme = "default";

@@ -216,6 +216,7 @@ private:
              << " answered by the input itself (" << pieces.patches_off_facets << " too far from facets, after "
              << pieces.number_of_refined_places << " points were added there), " << pieces.number_of_failed_checks
              << " checks of the others failed\n";
+    print_noise(pieces.noise);
   }
 
   void print_function(const Hde::Rbf_diagnostics& rbf)
@@ -230,6 +231,13 @@ private:
              << rbf.number_of_refined_places << " points were added there), " << rbf.number_of_failed_checks
              << " checks of the others failed; solved with ridge " << rbf.patches_with_ridge << ", by LU "
              << rbf.patches_with_lu << "; " << rbf.number_of_shortened_offsets << " offsets shortened\n";
+    print_noise(rbf.noise);
+  }
+
+  void print_noise(const double noise)
+  {
+    if (noise > 0)
+      m_stream << "noise of the vertices, standard deviation: " << number(noise / m_report.diagonal, 3) << " D\n";
   }
 
   const Report& m_report;

@@ -47,15 +47,17 @@ struct Piecewise_rbf_diagnostics
   std::size_t number_of_points = 0;           ///< of all fields; a vertex on a crease is a point of each region there
   std::size_t number_of_points_on_facets = 0; ///< those among them that are no vertices, but lie on facets
   std::size_t number_of_points_on_edges = 0;  ///< on sharp edges inside of the regions: no off-surface points
-  std::size_t number_of_patches = 0;          ///< of the interpolants
-  std::size_t patches_repaired = 0;           ///< patches that failed a check and were solved once more
-  std::size_t patches_on_fallback = 0;        ///< patches that were not solved or not repaired: the input itself answers there
-  std::size_t patches_off_facets = 0;         ///< those among them that stayed too far from a facet
-  std::size_t number_of_refined_places = 0;   ///< points on facets that were added as the surface was too far there
-  std::size_t number_of_failed_checks = 0;    ///< wrong signs and gradients that remain in patches not on fallback
-  double worst_residual = 0;                  ///< of the systems' solutions, relative to the largest datum
-  double worst_value_residual = 0;            ///< largest difference to a datum, in the unit of the coordinates
-  double worst_condition = 1;                 ///< of the systems, estimated from below by the pivots
+  double noise =
+      0; ///< the standard deviation of the noise of the points, `smoothing` or its estimate, in the unit of the coordinates
+  std::size_t number_of_patches = 0;        ///< of the interpolants
+  std::size_t patches_repaired = 0;         ///< patches that failed a check and were solved once more
+  std::size_t patches_on_fallback = 0;      ///< patches that were not solved or not repaired: the input itself answers there
+  std::size_t patches_off_facets = 0;       ///< those among them that stayed too far from a facet
+  std::size_t number_of_refined_places = 0; ///< points on facets that were added as the surface was too far there
+  std::size_t number_of_failed_checks = 0;  ///< wrong signs and gradients that remain in patches not on fallback
+  double worst_residual = 0;                ///< of the systems' solutions, relative to the largest datum
+  double worst_value_residual = 0;          ///< largest difference to a datum, in the unit of the coordinates
+  double worst_condition = 1;               ///< of the systems, estimated from below by the pivots
   /// @}
 
   /// \name Cost

@@ -30,6 +30,8 @@ struct Rbf_diagnostics
   std::size_t number_of_duplicate_points = 0;      ///< points equal to another one, ignored
   std::size_t number_of_points_without_normal = 0; ///< with a zero or cancelled normal: no off-surface points
   std::size_t number_of_shortened_offsets = 0;     ///< off-surface points set nearer or left out, as another sheet is close
+  double noise =
+      0; ///< the standard deviation of the noise of the points, `smoothing` or its estimate, in the unit of the coordinates
   /// @}
 
   /// \name Patches

@@ -140,7 +140,7 @@ void functions()
   Function e(mesh, two_sided_offsets("yes")); // the named parameter two_sided_offsets takes a Boolean
   Function q(mesh, points_on_facets("yes")); // the named parameter points_on_facets takes a Boolean
   Function r(mesh, detect_edges("yes")); // the named parameter detect_edges takes a Boolean
-  Function f(mesh, smoothing("no")); // the named parameter smoothing takes a number
+  Function f(mesh, smoothing("no")); // the named parameter smoothing takes a number or AUTOMATIC_SMOOTHING
   Function g(mesh, radial_function(CGAL::Gaussian_rbf())); // the named parameter radial_function takes an object of the second template argument
   Function h(mesh, visitor(2)); // the named parameter visitor takes a model of RemeshingVisitor
   Function i(mesh, vertex_point_map(of_edges)); // the named parameter vertex_point_map takes a property map from the vertices of the mesh to points
@@ -151,7 +151,7 @@ void functions()
   Function n(3); // the implicit function is built from a model of FaceListGraph or from a range of points with normals
   CGAL::Rbf_implicit_function<Kernel, Without_second_derivative>(mesh).hessian(CGAL::ORIGIN); // second derivatives of the function need a radial function that returns them
   Piecewise_function o(mesh, 3); // face_region must be a property map from the faces of the mesh to std::size_t
-  Piecewise_function p(mesh, of_faces, smoothing("yes")); // the named parameter smoothing takes a number
+  Piecewise_function p(mesh, of_faces, smoothing("yes")); // the named parameter smoothing takes a number or AUTOMATIC_SMOOTHING
   CGAL::anisotropic_hde_remeshing(mesh, radial_function(3)); // the named parameter radial_function takes a model of RadialBasisFunction
   Hde::detect_surface_regions(mesh, of_edges, of_faces, sharp_angle("40")); // the named parameter sharp_angle takes a number
   Hde::detect_surface_regions(mesh, of_edges, of_faces, edge_is_constrained_map(2)); // the named parameter edge_is_constrained_map takes a property map from the edges of the mesh to bool

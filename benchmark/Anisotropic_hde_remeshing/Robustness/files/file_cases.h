@@ -182,7 +182,7 @@ inline Cases flaws()
   const Polygon_soup voxels = soup_of(flawed_shapes::voxel_ball(8));
   cases.push_back(File_case{"voxels.stl",
                             [voxels](std::ostream& out) { write_stl(out, voxels, exact); },
-                            {"--smoothing 1 --faces 800 --sigma .02"},
+                            {"--smoothing auto --faces 800 --sigma .02"},
                             std::nullopt});
   return cases;
 }

@@ -13,6 +13,7 @@
 
 #include <CGAL/Anisotropic_hde_remeshing/internal/functions/Jet.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Kernel_sum.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Patch_frame.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Quadratic_polynomial.h>
 #include <CGAL/Radial_basis_functions.h>
 
@@ -24,16 +25,6 @@
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
-
-// The coordinates of a patch, y = (x - centre) / unit. In these the local spacing is 1. So the systems and the sums have the
-// same size, wherever the patch is and however large it is.
-struct Patch_frame
-{
-  Vector centre = Vector::Zero();
-  double unit = 1;
-
-  Vector operator()(const Vector& p) const { return (p - centre) / unit; }
-};
 
 // the interpolant of a patch, s(x) = unit (sum_j alpha_j phi(|y - y_j|) + a polynomial in y), the paper's (9) and (10)
 template <typename RadialFunction>

@@ -36,7 +36,11 @@ public:
     double spacing;
   };
 
-  Patch_check(const Surface_sample& sample, const Signed_distance& input) : m_sample(sample), m_input(input) {}
+  // `noise` is the standard deviation of that of the points
+  Patch_check(const Surface_sample& sample, const Signed_distance& input, const double noise)
+    : m_sample(sample), m_input(input), m_noise(noise)
+  {
+  }
 
   // Places have numbers, four for a facet or one for a point, those on facets behind the facets. They are made when they are asked for. Calls visit(number, place)
   // for all of them: for the centre of each facet, for three more in facets that are large for the points around them, and for
@@ -94,13 +98,16 @@ public:
     std::size_t result = 0;
     const Value_and_gradient at_place = jet(place.point);
     const double length = at_place.gradient.norm();
-    if (!(at_place.gradient.dot(place.normal) > 0) || !(std::abs(at_place.value) <= place.spacing * length))
+    if (!(at_place.gradient.dot(place.normal) > 0) ||
+        !(std::abs(at_place.value) <= (place.spacing + largest_error * m_noise) * length))
       ++result;
+    // noise puts the place off the surface: the sides are those of the zero set nearby
+    const double shift = m_noise > 0 && length > 0 ? at_place.value / length : 0.;
     static constexpr double distances[4] = {0.25, 1, 0.25, 2};
     const double distance = distances[parity % 4] * place.spacing;
     for (const double side : {1., -1.})
     {
-      const Vector p = place.point + side * distance * place.normal;
+      const Vector p = place.point + (side * distance - shift) * place.normal;
       const double value = value_at(p);
       if (!std::isfinite(value) || (side * value <= 0 && is_wrong(p, side, place.spacing)))
         ++result;
@@ -111,6 +118,7 @@ public:
 private:
   static constexpr double least_height = 1e-3;  // over the longest edge
   static constexpr double large_facet = 2;      // its longest edge, in units of the spacing of its points
+  static constexpr double largest_error = 4;    // of a point, in units of the noise
   static constexpr double least_distance = 0.2; // from here on the sign counts, in units of the spacing
 
   std::size_t first_on_facets() const { return m_sample.size() - m_sample.number_of_points_on_facets; }
@@ -134,11 +142,12 @@ private:
 
   bool is_wrong(const Vector& p, const double expected_side, const double spacing) const
   {
-    return expected_side * m_input.distance(p).value >= least_distance * spacing;
+    return expected_side * m_input.distance(p).value >= least_distance * spacing + m_noise;
   }
 
   const Surface_sample& m_sample;
   const Signed_distance& m_input;
+  double m_noise;
 };
 
 } // namespace internal

@@ -14,10 +14,12 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Blending_tree.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Interpolation_system.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Local_interpolant.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Noise_covariance.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Off_surface_points.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Sparse_interpolation_system.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Surface_sample.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/interpolation_matrix.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/likelihood_of_heights.h>
 
 #include <Eigen/Core>
 
@@ -36,7 +38,7 @@ namespace internal {
 struct Patch_settings
 {
   double offset_factor = 1;
-  double smoothing = 0;
+  double ridge = 0; // on the diagonal of the matrix, in which the local spacing is 1
 };
 
 // what a solved patch tells the diagnostics
@@ -56,7 +58,9 @@ struct Solved_patch
   Patch_record record;
 };
 
-// Interpolates the data of a patch, the paper's (12): 0 at its points, +-eps_i at the off-surface points.
+// Interpolates the data of a patch, the paper's (12): 0 at its points, +-eps_i at the off-surface points. If the points are noisy, it
+// takes the most likely function instead, as in kriging: the data have the covariance of the noise, and the function has the scale
+// that the heights of the patch tell.
 template <typename RadialFunction, typename ConcurrencyTag>
 class Patch_solver
 {
@@ -85,27 +89,30 @@ class Patch_solver
   };
 
 public:
-  // `unit_of_length` is that of the caller in the coordinates of the sample
+  // `unit_of_length` is that of the caller in the coordinates of the sample, in which `noise` is the standard deviation of that of
+  // the points
   Patch_solver(const Surface_sample& sample, const Offsets& offsets, const RadialFunction& function,
-               const double unit_of_length)
-    : m_sample(sample), m_offsets(offsets), m_function(function), m_unit_of_length(unit_of_length)
+               const double unit_of_length, const double noise)
+    : m_sample(sample), m_offsets(offsets), m_function(function), m_unit_of_length(unit_of_length), m_noise(noise)
   {
   }
 
   Solved_patch<RadialFunction> operator()(const Blending_tree::Leaf& leaf, const Patch_settings& settings) const
   {
     Solved_patch<RadialFunction> result;
-    const Patch_frame frame = frame_of(leaf);
+    const Patch_frame frame = frame_of(m_sample, leaf);
     RadialFunction function = m_function;
     if constexpr (Has_unit<RadialFunction>::value)
       function.set_unit(frame.unit / m_unit_of_length);
 
     Points centres;
     Eigen::VectorXd data;
-    const bool has_off_surface_points = constraints(leaf, frame, settings.offset_factor, centres, data);
+    std::vector<Eigen::Index> point_of; // by datum, the number of its point
+    const bool has_off_surface_points = constraints(leaf, frame, settings.offset_factor, centres, data, point_of);
     result.record.number_of_centres = std::size_t(centres.cols());
     if (!has_off_surface_points || centres.cols() <= 4)
       return result;
+    const Noise_covariance noise = noise_covariance(leaf, frame, function, std::move(point_of));
     for (const bool with_squares : {true, false})
     {
       const Vector normal = with_squares ? mean_normal(leaf) : Vector::Zero();
@@ -116,14 +123,16 @@ public:
       const Polynomial_null_space<Eigen::MatrixXd> null_space(polynomials);
       if (with_squares && null_space.independence() < least_independence)
         continue;
-      const Interpolation_coefficients solution = solve(centres, polynomials, null_space, function, settings.smoothing, data);
+      const Interpolation_coefficients solution =
+          solve(centres, polynomials, null_space, function, settings.ridge, noise, data);
       result.record.relative_residual = solution.relative_residual;
       result.record.condition = solution.condition;
       result.record.solver = solution.solver;
       if (solution.solver == Solver::FAILED)
         continue;
+      const Eigen::VectorXd missed = settings.ridge * solution.weights + noise.times(solution.weights);
       result.record.value_residual = frame.unit * (solution.relative_residual * data.template lpNorm<Eigen::Infinity>() +
-                                                   settings.smoothing * solution.weights.template lpNorm<Eigen::Infinity>());
+                                                   missed.template lpNorm<Eigen::Infinity>());
       result.interpolant = Interpolant(frame, centres, solution.weights, basis.combination(solution.polynomial), function);
       break;
     }
@@ -131,42 +140,48 @@ public:
   }
 
 private:
+  // The scale of the interpolant is less than that of the heights, which know nothing of the slopes that off-surface points tell.
+  // Factors of 3 to 10 measured alike, more on the smoothest of shapes.
+  static constexpr double excess_of_scale = 7;
+  // tau^2 where there are too few points to tell: that of a surface with a radius of about ten spacings
+  static constexpr double variance_of_few_points = 0.01;
+
+  Noise_covariance noise_covariance(const Blending_tree::Leaf& leaf, const Patch_frame& frame, const RadialFunction& function,
+                                    std::vector<Eigen::Index> point_of) const
+  {
+    const double variance = std::pow(m_noise / frame.unit, 2);
+    if (!(variance > 0))
+      return Noise_covariance();
+    const auto likelihood = likelihood_of_heights<Eigen::MatrixXd>(m_sample, leaf, frame, function, Heights::for_scale());
+    const double scale = likelihood ? likelihood->variance_of_function(variance) : variance_of_few_points;
+    return Noise_covariance(excess_of_scale * variance / scale, std::move(point_of));
+  }
+
   Interpolation_coefficients solve(const Points& centres, const Eigen::MatrixXd& polynomials,
                                    const Polynomial_null_space<Eigen::MatrixXd>& null_space, const RadialFunction& function,
-                                   const double smoothing, const Eigen::VectorXd& data) const
+                                   const double ridge, const Noise_covariance& noise, const Eigen::VectorXd& data) const
   {
     if constexpr (Has_compact_support<RadialFunction>::value)
     {
       static_assert(RadialFunction::order == 0, "a function of compact support is expected to be positive definite");
       if (centres.cols() >= least_sparse_size && density_of_interpolation_matrix(centres, function) < largest_density)
       {
-        const auto matrix = sparse_interpolation_matrix(centres, function, smoothing);
+        auto matrix = sparse_interpolation_matrix(centres, function, ridge);
+        noise.add_to(matrix);
         Interpolation_coefficients solution = Sparse_interpolation_system(matrix, polynomials).solve(data);
         if (solution.solver != Solver::FAILED || centres.cols() > largest_dense_size)
           return solution;
       }
     }
-    const auto matrix = [&] { return interpolation_matrix(centres, function, smoothing); };
+    const auto matrix = [&]
+    {
+      Eigen::MatrixXd result = interpolation_matrix(centres, function, ridge);
+      noise.add_to(result);
+      return result;
+    };
     Interpolation_coefficients result = Interpolation_system<Eigen::MatrixXd>(matrix, polynomials, null_space).solve(data);
     result.weights *= RadialFunction::sign;
     return result;
-  }
-
-  // Its centre is that of the box of the points. Its unit is the median of the spacings of the points in its own cell.
-  Patch_frame frame_of(const Blending_tree::Leaf& leaf) const
-  {
-    Vector low = m_sample.points[leaf.points.front()], high = low;
-    for (const std::size_t i : leaf.points)
-    {
-      low = low.cwiseMin(m_sample.points[i]);
-      high = high.cwiseMax(m_sample.points[i]);
-    }
-    std::vector<double> spacings;
-    for (const std::size_t i : leaf.own_points)
-      spacings.push_back(m_sample.spacings[i]);
-    const auto median = spacings.begin() + std::ptrdiff_t(spacings.size() / 2);
-    std::nth_element(spacings.begin(), median, spacings.end());
-    return Patch_frame{0.5 * (low + high), *median};
   }
 
   // the normalised mean normal of the points that have normals; zero if these look in too many directions
@@ -182,27 +197,32 @@ private:
     return sum.norm() > least_mean_normal * number ? Vector(sum.normalized()) : Vector(Vector::Zero());
   }
 
-  // the centres and the data of a patch in the coordinates of its frame
+  // the centres and the data of a patch in the coordinates of its frame, and the points that the data belong to
   bool constraints(const Blending_tree::Leaf& leaf, const Patch_frame& frame, const double offset_factor, Points& centres,
-                   Eigen::VectorXd& data) const
+                   Eigen::VectorXd& data, std::vector<Eigen::Index>& point_of) const
   {
-    std::vector<std::pair<std::size_t, double>> off_surface;
+    std::vector<std::pair<std::size_t, double>> off_surface; // number in the patch, offset
     for (std::size_t k = 0; k < leaf.points.size(); ++k)
       if (leaf.has_offset[k])
       {
         const std::size_t i = leaf.points[k];
         if (m_offsets.outer(i) > 0)
-          off_surface.emplace_back(i, offset_factor * m_offsets.outer(i));
+          off_surface.emplace_back(k, offset_factor * m_offsets.outer(i));
         if (m_offsets.inner(i) > 0)
-          off_surface.emplace_back(i, -offset_factor * m_offsets.inner(i));
+          off_surface.emplace_back(k, -offset_factor * m_offsets.inner(i));
       }
     centres.resize(3, Eigen::Index(leaf.points.size() + off_surface.size()));
     data = Eigen::VectorXd::Zero(centres.cols());
     Eigen::Index next = 0;
     for (const std::size_t i : leaf.points)
-      centres.col(next++) = frame(m_sample.points[i]);
-    for (const auto& [i, offset] : off_surface)
     {
+      point_of.push_back(next);
+      centres.col(next++) = frame(m_sample.points[i]);
+    }
+    for (const auto& [k, offset] : off_surface)
+    {
+      const std::size_t i = leaf.points[k];
+      point_of.push_back(Eigen::Index(k));
       centres.col(next) = frame(m_sample.points[i] + offset * m_sample.normals[i]);
       data[next++] = offset / frame.unit;
     }
@@ -212,7 +232,7 @@ private:
   const Surface_sample& m_sample;
   const Offsets& m_offsets;
   const RadialFunction m_function;
-  const double m_unit_of_length;
+  const double m_unit_of_length, m_noise;
 };
 
 } // namespace internal

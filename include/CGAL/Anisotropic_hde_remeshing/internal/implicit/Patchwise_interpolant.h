@@ -150,7 +150,8 @@ private:
     const bool has_check = parameters.uses_facets && !m_sample->facets.empty();
     const double share_of_solution = has_check ? share_of_first_solution : share_of_last_solution;
     interruption.begin_parts(n, share_of_solution);
-    solve(Solver_of_patch(*m_sample, offsets, function, unit_of_length), places, parameters, changed, results, interruption);
+    solve(Solver_of_patch(*m_sample, offsets, function, unit_of_length, m_noise), places, parameters, changed, results,
+          interruption);
     interruption.report(share_of_solution);
     if (has_check)
     {
@@ -162,7 +163,7 @@ private:
         interruption.report(round == 0 ? share_of_check : share_of_last_solution);
         offsets = Offsets(*m_sample, m_tree, parameters.relative_offset, parameters.absolute_offset,
                           parameters.offsets_on_both_sides, interruption);
-        solve(Solver_of_patch(*m_sample, offsets, function, unit_of_length), places, parameters, changed, results,
+        solve(Solver_of_patch(*m_sample, offsets, function, unit_of_length, m_noise), places, parameters, changed, results,
               interruption);
       }
       answer_by_facets(check, failed_places(check, changed, interruption), results);
@@ -241,9 +242,9 @@ private:
   Patch_result solve_patch(const Solver_of_patch& solver, const Places& places, const Interpolation_parameters& parameters,
                            const std::size_t k)
   {
-    static constexpr double smaller_offset = 0.25, repairing_smoothing = 0.01, wider_overlap = 5. / 3;
+    static constexpr double smaller_offset = 0.25, repairing_ridge = 0.01, wider_overlap = 5. / 3;
     const Blending_tree::Leaf& leaf = m_tree.leaves()[k];
-    Patch_result best = attempt(solver, places, k, leaf, Patch_settings{1, parameters.smoothing}, m_patches[k]);
+    Patch_result best = attempt(solver, places, k, leaf, Patch_settings(), m_patches[k]);
     const double number_of_checks = double(Patch_check::checks_of_place * places[k].size());
     const auto attempt_again = [&](const Blending_tree::Leaf& points, const Patch_settings& settings)
     {
@@ -257,11 +258,11 @@ private:
       best.is_repaired = true;
       m_patches[k] = std::move(patch);
     };
-    const double smoothing = parameters.smoothing + repairing_smoothing;
-    attempt_again(leaf, Patch_settings{smaller_offset, parameters.smoothing});
-    attempt_again(leaf, Patch_settings{1, smoothing});
+    attempt_again(leaf, Patch_settings{smaller_offset, 0});
+    attempt_again(leaf, Patch_settings{1, repairing_ridge});
     if (best.failures > 0)
-      attempt_again(m_tree.widened_leaf(*m_sample, k, wider_overlap * parameters.patch_overlap), Patch_settings{1, smoothing});
+      attempt_again(m_tree.widened_leaf(*m_sample, k, wider_overlap * parameters.patch_overlap),
+                    Patch_settings{1, repairing_ridge});
     const bool is_on_facets =
         leaf.own_points.back() >= m_sample->size() - m_sample->number_of_points_on_facets; // they are the last ones
     if (double(best.failures) > (is_on_facets ? largest_share_on_facets : largest_share_of_failures) * number_of_checks)
@@ -289,7 +290,7 @@ private:
 
   std::size_t number_of_failures(const Places& places, const std::size_t k, const Patch& patch) const
   {
-    const Patch_check check(*m_sample, *m_distance);
+    const Patch_check check(*m_sample, *m_distance, m_noise);
     const auto jet = [&](const Vector& p)
     {
       Distance_at distance(*m_distance, p);
@@ -327,7 +328,7 @@ private:
   Places places_of_leaves() const
   {
     Places result(m_tree.leaves().size());
-    Patch_check(*m_sample, *m_distance)
+    Patch_check(*m_sample, *m_distance, m_noise)
         .visit_places([&](const std::size_t number, const Patch_check::Place& place)
                       { m_tree.visit_leaves(place.point, [&](const std::size_t k) { result[k].push_back(number); }); });
     return result;
@@ -399,6 +400,7 @@ private:
   Blending_tree m_tree;
   std::vector<Patch> m_patches;
   Rbf_diagnostics m_diagnostics;
+  double m_noise; // standard deviation of that of the points
 };
 
 template <typename RadialFunction, typename ConcurrencyTag>
@@ -407,7 +409,7 @@ Patchwise_interpolant<RadialFunction, ConcurrencyTag>::Patchwise_interpolant(Sam
                                                                              const RadialFunction& function,
                                                                              const double unit_of_length,
                                                                              Interruption& interruption)
-  : m_sample(std::move(sample)), m_distance(std::move(distance))
+  : m_sample(std::move(sample)), m_distance(std::move(distance)), m_noise(parameters.noise)
 {
   Real_timer timer;
   timer.start();

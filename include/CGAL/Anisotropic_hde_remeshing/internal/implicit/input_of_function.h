@@ -17,6 +17,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Points_on_facets.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Signed_distance.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Surface_sample.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/estimate_noise.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/interpolation_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/mark_apexes.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/sample_mesh.h>
@@ -120,10 +121,10 @@ inline void check_sample(const Surface_sample& sample)
     throw std::invalid_argument("the input has no point with a normal: all its faces are degenerate");
 }
 
-// throws if no function can be built from it
+// Throws if no function can be built from it. Finds out the noise, if that is asked for; it is in the unit of the sample.
 template <typename ConcurrencyTag, typename MeshOrPointRange, typename NamedParameters>
 std::shared_ptr<const Surface_sample> sample_input(const MeshOrPointRange& input, const NamedParameters& np,
-                                                   Interruption& interruption)
+                                                   Interpolation_parameters& interpolation, Interruption& interruption)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -136,7 +137,11 @@ std::shared_ptr<const Surface_sample> sample_input(const MeshOrPointRange& input
         input, choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, input)),
         get_parameter(np, internal_np::vertex_normal_map), interruption);
   check_sample(sample);
-  const Interpolation_parameters interpolation = interpolation_parameters(np);
+  interpolation.noise *= sample.normalization.scale;
+  if (interpolation.estimates_noise)
+    interpolation.noise = estimate_noise<ConcurrencyTag>(sample, interruption);
+  if (interpolation.noise > 0)
+    interpolation.mistrust_facets();
   if ((interpolation.uses_facets || interpolation.finds_edges) && !sample.facets.empty())
   {
     const Facet_edges edges(sample);

@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
+#include <CGAL/Anisotropic_hde_remeshing/Smoothing.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/check_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/parameters.h>
 
@@ -22,7 +23,8 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// The parameters of the interpolant, checked. Lengths are in units of the local spacing, except for the absolute offset.
+// The parameters of the interpolant, checked. Lengths are in units of the local spacing, except for the
+// absolute offset and the noise.
 struct Interpolation_parameters
 {
   std::size_t number_of_patches = 0; // 0: patches_of() the number of points
@@ -31,9 +33,13 @@ struct Interpolation_parameters
   double relative_offset = 0.05;
   double absolute_offset = 0; // 0: the relative one
   bool offsets_on_both_sides = false;
-  double smoothing = 0;
-  bool finds_edges = false; // whether vertices on sharp edges have no normal
-  bool uses_facets = false; // whether it interpolates points on facets, too, and is checked there
+  double noise = 0;             // standard deviation of that of the points
+  bool estimates_noise = false; // whether it is to be found out
+  bool finds_edges = false;     // whether vertices on sharp edges have no normal
+  bool uses_facets = false;     // whether it interpolates points on facets, too, and is checked there
+
+  // Noisy facets are where no surface is, and turn where it has no edge.
+  void mistrust_facets() { finds_edges = uses_facets = false; }
 
   // 25 points a patch measured best, in the time to build and to evaluate
   static std::size_t patches_of(const std::size_t number_of_points) { return (number_of_points + 24) / 25; }
@@ -60,13 +66,20 @@ Interpolation_parameters interpolation_parameters(const NamedParameters& np)
   if constexpr (!is_default_parameter<NamedParameters, internal_np::two_sided_offsets_t>::value)
     result.offsets_on_both_sides = get_parameter(np, internal_np::two_sided_offsets);
   if constexpr (!is_default_parameter<NamedParameters, internal_np::smoothing_t>::value)
-    result.smoothing = checked_not_negative("smoothing", CGAL::to_double(get_parameter(np, internal_np::smoothing)));
-  result.uses_facets = result.smoothing == 0;
-  result.finds_edges = result.smoothing == 0 && is_default_parameter<NamedParameters, internal_np::vertex_normal_map_t>::value;
+  {
+    const Smoothing smoothing(get_parameter(np, internal_np::smoothing));
+    result.estimates_noise = smoothing.is_automatic();
+    if (!smoothing.is_automatic())
+      result.noise = checked_not_negative("smoothing", smoothing.length());
+  }
+  result.uses_facets = true;
+  result.finds_edges = is_default_parameter<NamedParameters, internal_np::vertex_normal_map_t>::value;
   if constexpr (!is_default_parameter<NamedParameters, internal_np::detect_edges_t>::value)
     result.finds_edges = result.finds_edges && get_parameter(np, internal_np::detect_edges);
   if constexpr (!is_default_parameter<NamedParameters, internal_np::points_on_facets_t>::value)
     result.uses_facets = result.uses_facets && get_parameter(np, internal_np::points_on_facets);
+  if (result.noise > 0)
+    result.mistrust_facets();
   return result;
 }
 

@@ -14,6 +14,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/Input_location.h>
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_scheme.h>
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_visitor.h>
+#include <CGAL/Anisotropic_hde_remeshing/Smoothing.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/sizing_field_types.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/type_traits.h>
 #include <CGAL/Anisotropic_hde_remeshing/parameters.h>
@@ -43,6 +44,11 @@ using Given_type =
 
 template <typename T, typename>
 struct Is_number : std::bool_constant<is_number<T>>
+{
+};
+
+template <typename T, typename>
+struct Is_smoothing : std::bool_constant<is_number<T> || std::is_same<T, Smoothing>::value>
 {
 };
 

@@ -85,6 +85,7 @@ private:
     result.number_of_points += field.number_of_points;
     result.number_of_points_on_facets += field.number_of_points_on_facets;
     result.number_of_points_on_edges += field.number_of_points_on_edges;
+    result.noise = (std::max)(result.noise, field.noise);
     result.number_of_patches += field.number_of_patches;
     result.patches_repaired += field.patches_repaired;
     result.patches_on_fallback += field.patches_on_fallback;
