@@ -78,6 +78,12 @@ not be exact. `AUTOMATIC_SMOOTHING` estimates the noise from the heights in at m
 as 0 and are interpolated, as do data with noise of less than 1/200 of the spacing. On smooth shapes with Gaussian noise of .03 to .5
 spacings the estimate is 0 to 12% too large. Detail that is finer than a few spacings counts as noise, as on a mesh that was simplified.
 
+<b>Outliers.</b> With `detect_outliers` a point of a range is left out if it is off the tangent planes of all but two of its 12 nearest
+neighbours, by more than a fifth of the spacing and more than four times what nine tenths of the points are. A normal is turned if its neighbours
+agree on about the opposite one, and dropped if it is more than 60 degrees off theirs. Smooth shapes, sharp edges and tips are left as they are;
+of shapes with detail as fine as the spacing, up to 1 in 200 points was lost. More than a tenth of the points are never taken
+for outliers, nor more than a tenth of the normals for wrong ones.
+
 <b>Near and far.</b> From 2.5 to 3.5 local spacings away from the points the function passes to the signed distance to the input
 itself: to the facets of a mesh, or to the tangent planes of the nearest points. Interpolants would only extrapolate there, and
 might vanish where there is no surface. So the sign is right everywhere for a closed mesh that does not intersect itself, and
@@ -193,6 +199,12 @@ public:
                             those at tips of cones and spikes, have no off-surface points}
       \cgalParamType{Boolean}
       \cgalParamDefault{`true`, but without effect if there is noise, or with `vertex_normal_map`}
+    \cgalParamNEnd
+    \cgalParamNBegin{detect_outliers}
+      \cgalParamDescription{if `input` is a range: whether points that their neighbours contradict are left out, and such normals
+                            are turned or dropped. `Rbf_diagnostics` counts them.}
+      \cgalParamType{Boolean}
+      \cgalParamDefault{`false`}
     \cgalParamNEnd
     \cgalParamNBegin{radial_function}
       \cgalParamDescription{the object of type `RadialFunction`}
@@ -366,6 +378,8 @@ private:
         std::size_t(std::count(sample.is_on_edge.begin(), sample.is_on_edge.end(), char(1)));
     diagnostics.number_of_isolated_vertices = sample.number_of_isolated_vertices;
     diagnostics.number_of_duplicate_points = sample.number_of_duplicate_points;
+    diagnostics.number_of_outliers = sample.number_of_outliers;
+    diagnostics.number_of_wrong_normals = sample.number_of_wrong_normals;
     diagnostics.number_of_points_without_normal = std::size_t(std::count_if(
         sample.normals.begin(), sample.normals.end(), [](const Eigen::Vector3d& normal) { return normal.isZero(0); }));
     diagnostics.worst_value_residual /= m_normalization.scale;

@@ -7,7 +7,7 @@
 // Author(s)     : The Anisotropic_hde_remeshing developers
 
 // What `Rbf_implicit_function` makes of points as scanners deliver them: of an ellipsoid 1:2:5, and of meshes, whose facets are the
-// truth. Prints a table; see scripts/benchmark_points.sh. Usage: benchmark_points NUMBER_OF_POINTS [MESH...]
+// truth. Prints two tables; see scripts/benchmark_points.sh. Usage: benchmark_points NUMBER_OF_POINTS [MESH...]
 
 #include "Table.h"
 #include "exact_surfaces.h"
@@ -153,32 +153,128 @@ Points noisy(const Shape& shape, const double noise, const bool is_gaussian, con
   return result;
 }
 
-void add_row(Table& table, const Shape& shape, const std::string& what, const Points& points, const double noise,
-             const CGAL::Anisotropic_hde_remeshing::Smoothing& smoothing)
+struct Errors
 {
-  std::unique_ptr<Function> f;
-  const double seconds = seconds_of([&] { f = std::make_unique<Function>(points, params::smoothing(smoothing)); });
-  double sum = 0, largest = 0, angle = 0;
+  double rms = 0, largest = 0, angle = 0;
+};
+
+// of the zero set, from the probes of the shape
+Errors errors_of(const Function& f, const Shape& shape)
+{
+  Errors result;
   for (const auto& [start, normal] : shape.probes)
   {
     Point_3 p = start;
     for (int step = 0; step < 5; ++step)
     {
-      const auto at_p = f->value_and_gradient(p);
+      const auto at_p = f.value_and_gradient(p);
       p = p - at_p.first / at_p.second.squared_length() * at_p.second;
     }
     const double distance = std::abs(shape.distance(p));
-    sum += distance * distance;
-    largest = (std::max)(largest, distance);
-    const Vector_3 gradient = f->gradient(p);
+    result.rms += distance * distance / double(shape.probes.size());
+    result.largest = (std::max)(result.largest, distance);
+    const Vector_3 gradient = f.gradient(p);
     const double cosine = gradient * normal / std::sqrt(gradient.squared_length() * normal.squared_length());
-    angle += std::pow(std::acos((std::max)(-1., (std::min)(cosine, 1.))) * 180 / pi, 2);
+    result.angle += std::pow(std::acos((std::max)(-1., (std::min)(cosine, 1.))) * 180 / pi, 2) / double(shape.probes.size());
   }
-  const double n = double(shape.probes.size());
+  result.rms = std::sqrt(result.rms);
+  result.angle = std::sqrt(result.angle);
+  return result;
+}
+
+void add_row(Table& table, const Shape& shape, const std::string& what, const Points& points, const double noise,
+             const CGAL::Anisotropic_hde_remeshing::Smoothing& smoothing)
+{
+  std::unique_ptr<Function> f;
+  const double seconds = seconds_of([&] { f = std::make_unique<Function>(points, params::smoothing(smoothing)); });
+  const Errors errors = errors_of(*f, shape);
   table.add(shape.name, what, smoothing.is_automatic() ? "auto" : "0", noise / shape.diagonal,
-            noise > 0 ? text(f->diagnostics().noise / noise) : text(f->diagnostics().noise),
-            std::sqrt(sum / n) / shape.diagonal, largest / shape.diagonal, std::sqrt(angle / n),
-            f->diagnostics().patches_on_fallback, seconds);
+            noise > 0 ? text(f->diagnostics().noise / noise) : text(f->diagnostics().noise), errors.rms / shape.diagonal,
+            errors.largest / shape.diagonal, errors.angle, f->diagnostics().patches_on_fallback, seconds);
+}
+
+// the number of components of the sign on a grid around the shape, without the outside: 1 for one solid without a hollow
+int number_of_components(const Function& f, const Shape& shape)
+{
+  static constexpr int n = 60;
+  CGAL::Bbox_3 box;
+  for (const auto& [p, normal] : shape.clean)
+    box += p.bbox();
+  const auto index = [](const int i, const int j, const int k) { return (i * n + j) * n + k; };
+  std::vector<char> is_inside(n * n * n), is_seen(n * n * n, 0);
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j)
+      for (int k = 0; k < n; ++k)
+      {
+        const auto at = [&](const int axis, const int step)
+        { return box.min(axis) + (1.2 * step / (n - 1) - 0.1) * (box.max(axis) - box.min(axis)); };
+        is_inside[index(i, j, k)] = f(Point_3(at(0, i), at(1, j), at(2, k))) < 0;
+      }
+  int result = -1;
+  std::vector<int> stack;
+  for (int start = 0; start < n * n * n; ++start)
+  {
+    if (is_seen[start])
+      continue;
+    ++result;
+    stack.assign(1, start);
+    is_seen[start] = 1;
+    while (!stack.empty())
+    {
+      const int at = stack.back(), i = at / n / n, j = at / n % n, k = at % n;
+      stack.pop_back();
+      const auto visit = [&](const int x, const int y, const int z)
+      {
+        if ((std::min)({x, y, z}) < 0 || (std::max)({x, y, z}) >= n || is_seen[index(x, y, z)] ||
+            is_inside[index(x, y, z)] != is_inside[at])
+          return;
+        is_seen[index(x, y, z)] = 1;
+        stack.push_back(index(x, y, z));
+      };
+      for (const int step : {-1, 1})
+      {
+        visit(i + step, j, k);
+        visit(i, j + step, k);
+        visit(i, j, k + step);
+      }
+    }
+  }
+  return result;
+}
+
+// one point in fifty is put anywhere in the bounding box, with any normal, or turned
+Points with_outliers(const Shape& shape, const bool are_turned)
+{
+  CGAL::Bbox_3 box;
+  for (const auto& [p, normal] : shape.clean)
+    box += p.bbox();
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  std::normal_distribution<double> gauss(0, 1);
+  Points result = shape.clean;
+  for (auto& [p, normal] : result)
+  {
+    if (uniform(random) >= 0.02)
+      continue;
+    const auto coordinate = [&](const int axis) { return box.min(axis) + uniform(random) * (box.max(axis) - box.min(axis)); };
+    const double x = coordinate(0), y = coordinate(1), z = coordinate(2), u = gauss(random), v = gauss(random),
+                 w = gauss(random);
+    p = are_turned ? p : Point_3(x, y, z);
+    normal = are_turned ? -normal : Vector_3(u, v, w);
+  }
+  return result;
+}
+
+void add_rows_of_outliers(Table& table, const Shape& shape)
+{
+  for (const bool are_turned : {false, true})
+    for (const bool are_detected : {false, true})
+    {
+      const Function f(with_outliers(shape, are_turned), params::detect_outliers(are_detected));
+      table.add(shape.name, are_turned ? "turned normals" : "outliers", are_detected ? "yes" : "no",
+                f.diagnostics().number_of_outliers, f.diagnostics().number_of_wrong_normals,
+                errors_of(f, shape).rms / shape.diagonal, number_of_components(f, shape));
+    }
 }
 
 void add_rows(Table& table, const Shape& shape)
@@ -211,7 +307,15 @@ int main(int argc, char** argv)
               " random points with normals; noise in units of the spacing, its standard deviation along the normal, "
               "distances of the zero set and their maximum over the diagonal, rms angles of the normals in degrees");
   table.add("shape", "points", "smoothing", "noise", "estimate/noise", "rms", "largest", "normals", "fallback", "s");
-  add_rows(table, ellipsoid_shape(n));
+  Table outliers(
+      "the same with 2% outliers in the bounding box, or 2% of the normals turned: detect_outliers, points and normals found");
+  outliers.add("shape", "points", "detected", "outliers", "wrong normals", "rms", "components");
+  const auto add_all = [&](const Shape& shape)
+  {
+    add_rows(table, shape);
+    add_rows_of_outliers(outliers, shape);
+  };
+  add_all(ellipsoid_shape(n));
   for (int i = 2; i < argc; ++i)
   {
     Mesh mesh;
@@ -220,8 +324,9 @@ int main(int argc, char** argv)
       std::cerr << "cannot read " << argv[i] << std::endl;
       return 1;
     }
-    add_rows(table, mesh_shape(argv[i], mesh, n));
+    add_all(mesh_shape(argv[i], mesh, n));
   }
   table.print();
+  outliers.print();
   return 0;
 }

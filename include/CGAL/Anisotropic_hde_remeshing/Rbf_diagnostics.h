@@ -28,6 +28,8 @@ struct Rbf_diagnostics
   std::size_t number_of_points_on_edges = 0;       ///< on sharp edges that were detected: no off-surface points
   std::size_t number_of_isolated_vertices = 0;     ///< vertices without a face, ignored
   std::size_t number_of_duplicate_points = 0;      ///< points equal to another one, ignored
+  std::size_t number_of_outliers = 0;              ///< points that all their neighbours contradict, ignored
+  std::size_t number_of_wrong_normals = 0;         ///< normals that all neighbours contradict, turned or dropped
   std::size_t number_of_points_without_normal = 0; ///< with a zero or cancelled normal: no off-surface points
   std::size_t number_of_shortened_offsets = 0;     ///< off-surface points set nearer or left out, as another sheet is close
   double noise =

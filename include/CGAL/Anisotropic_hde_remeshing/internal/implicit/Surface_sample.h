@@ -70,6 +70,8 @@ struct Surface_sample
   std::vector<Facet> facets;
   std::size_t number_of_isolated_vertices = 0;
   std::size_t number_of_duplicate_points = 0;
+  std::size_t number_of_outliers = 0;      // removed
+  std::size_t number_of_wrong_normals = 0; // turned or dropped
   std::size_t number_of_points_on_facets = 0;
 
   std::size_t size() const { return points.size(); }

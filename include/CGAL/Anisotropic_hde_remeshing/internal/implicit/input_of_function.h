@@ -131,7 +131,7 @@ std::shared_ptr<const Surface_sample> sample_input(const MeshOrPointRange& input
   Surface_sample sample;
   if constexpr (Is_range<MeshOrPointRange>::value)
     sample = sample_points<ConcurrencyTag>(input, point_map_of<MeshOrPointRange>(np), normal_map_of<MeshOrPointRange>(np),
-                                           interruption);
+                                           interpolation.detects_outliers, interruption);
   else
     sample = sample_mesh(
         input, choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, input)),

@@ -33,10 +33,11 @@ struct Interpolation_parameters
   double relative_offset = 0.05;
   double absolute_offset = 0; // 0: the relative one
   bool offsets_on_both_sides = false;
-  double noise = 0;             // standard deviation of that of the points
-  bool estimates_noise = false; // whether it is to be found out
-  bool finds_edges = false;     // whether vertices on sharp edges have no normal
-  bool uses_facets = false;     // whether it interpolates points on facets, too, and is checked there
+  double noise = 0;              // standard deviation of that of the points
+  bool estimates_noise = false;  // whether it is to be found out
+  bool detects_outliers = false; // whether points that their neighbours contradict are left out
+  bool finds_edges = false;      // whether vertices on sharp edges have no normal
+  bool uses_facets = false;      // whether it interpolates points on facets, too, and is checked there
 
   // Noisy facets are where no surface is, and turn where it has no edge.
   void mistrust_facets() { finds_edges = uses_facets = false; }
@@ -76,6 +77,8 @@ Interpolation_parameters interpolation_parameters(const NamedParameters& np)
   result.finds_edges = is_default_parameter<NamedParameters, internal_np::vertex_normal_map_t>::value;
   if constexpr (!is_default_parameter<NamedParameters, internal_np::detect_edges_t>::value)
     result.finds_edges = result.finds_edges && get_parameter(np, internal_np::detect_edges);
+  if constexpr (!is_default_parameter<NamedParameters, internal_np::detect_outliers_t>::value)
+    result.detects_outliers = get_parameter(np, internal_np::detect_outliers);
   if constexpr (!is_default_parameter<NamedParameters, internal_np::points_on_facets_t>::value)
     result.uses_facets = result.uses_facets && get_parameter(np, internal_np::points_on_facets);
   if (result.noise > 0)

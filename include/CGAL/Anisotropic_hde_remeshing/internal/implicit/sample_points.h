@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Outliers.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Point_search.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Surface_sample.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/parallel.h>
@@ -52,7 +53,7 @@ void compute_spacings(Surface_sample& sample, Interruption& interruption)
 
 template <typename ConcurrencyTag, typename PointRange, typename PointMap, typename NormalMap>
 Surface_sample sample_points(const PointRange& range, const PointMap point_map, const NormalMap normal_map,
-                             Interruption& interruption)
+                             const bool detects_outliers, Interruption& interruption)
 {
   Surface_sample sample;
   std::size_t index = 0;
@@ -67,6 +68,8 @@ Surface_sample sample_points(const PointRange& range, const PointMap point_map, 
   sample.normalization = normalize(sample.points);
   sample.spacings.assign(sample.size(), 0.);
   merge_duplicate_points(sample);
+  if (detects_outliers)
+    Outliers(ConcurrencyTag(), sample, interruption).correct(sample);
   compute_spacings<ConcurrencyTag>(sample, interruption);
   return sample;
 }

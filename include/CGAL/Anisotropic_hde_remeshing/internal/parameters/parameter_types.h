@@ -260,6 +260,7 @@ struct Parameters_of_function_of_range
   static constexpr bool accepts()
   {
     return Parameters_of_function::template accepts<NamedParameters, Subject>() &&
+           Takes_detect_outliers::template accepts<NamedParameters, Subject>() &&
            Takes_point_map::template accepts<NamedParameters, Subject>() &&
            Takes_normal_map::template accepts<NamedParameters, Subject>();
   }
