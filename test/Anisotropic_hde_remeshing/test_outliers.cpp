@@ -89,7 +89,7 @@ void test_outliers()
 {
   Points points = unit_sphere();
   std::mt19937 random(1);
-  std::uniform_real_distribution<double> uniform(-1, 1);
+  std::uniform_real_distribution<double> uniform(-2, 2);
   std::size_t number = 0;
   for (std::size_t i = 0; i < points.size(); i += 50)
   {
