@@ -99,6 +99,11 @@ public:
     if (keeps_error())
       owners.set_largest_distance(m_distance_of_samples);
     measure(owners, true);
+    if (has_lost_nothing(owners))
+    {
+      write_stage(m_mesh, "finished");
+      return; // what follows works with samples, and between them something can be lost
+    }
     for (unsigned int round = 0; round < m_number_of_rounds && !m_interruption.ask(); ++round)
     {
       do_round(tools, round < number_of_rounds_that_change_vertices());
@@ -158,6 +163,13 @@ private:
     return areas;
   }
 
+  // whether the mesh with a number of faces is the input to rounding
+  bool has_lost_nothing(const Owners& owners) const
+  {
+    static constexpr double rounding = 1e-10; // of the diagonal
+    return !keeps_error() && owners.mean_square() <= rounding * rounding * m_input.diagonal() * m_input.diagonal();
+  }
+
   bool keeps_error() const { return m_parameters.error > 0; }
 
   // The last rounds only fit; where an error is to be kept, few faces are worth more.
@@ -211,7 +223,8 @@ private:
     set_vertex_normals<ConcurrencyTag>(m_mesh);
     std::vector<std::uint32_t> points(m_input.points().size());
     {
-      Loss_coarsener<ConcurrencyTag, Mesh, Guard> coarsen(m_mesh, m_curves, m_guard, m_interruption);
+      Loss_coarsener<ConcurrencyTag, Mesh, Guard> coarsen(m_mesh, m_curves, m_guard, m_parameters.has_long_facets,
+                                                          m_interruption);
       const double mean = share_in_the_mean * m_distance_of_samples;
       const std::vector<Vertex_index> roots =
           keeps_error() ? coarsen(0, mean * mean) : coarsen(std::size_t(m_parameters.target.number_of_faces()));

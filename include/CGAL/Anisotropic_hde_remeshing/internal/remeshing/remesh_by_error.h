@@ -136,7 +136,9 @@ Remeshing_report remesh_by_error(Working_mesh<Normal_embedding::Vertex_data>& me
     curves.set_largest_deviation((std::min)(curves.largest_deviation(), share_of_error_at_curves * parameters.error));
   report.curves_before = feature_curves(mesh);
   const Surface_function no_function;
-  const Guard guard(mesh, no_function, intersections);
+  Guard guard(mesh, no_function, intersections);
+  if (parameters.has_long_facets)
+    guard.allow_caps();
   report.projection_seconds = timer.time();
   if (visitor.interruption().is_requested())
     return report;

@@ -24,6 +24,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Visitor_reference.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/Mesh_intersections.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/load_obstacles.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/has_long_facets.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/input_locations.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/Mesh_storer.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/load_mesh.h>
@@ -166,6 +167,8 @@ Remeshing_result remesh_faces(const FaceRange& faces, TriangleMesh& tmesh, const
   const double unit_of_lengths = embedding_in_unit.unit_of_lengths(origin.unit);
   Remeshing_parameters parameters =
       remeshing_parameters(np, embedding_in_unit, origin.diagonal, origin.unit, mesh.number_of_faces());
+  if (parameters.scheme == Remeshing_scheme::MEASURED_ERROR)
+    parameters.has_long_facets = has_long_facets(faces, tmesh, vpm);
   const bool is_split = parameters.scheme == Remeshing_scheme::MEASURED_ERROR && !(parameters.error > 0) &&
                         parameters.target.number_of_faces() > double(mesh.number_of_faces());
   if (is_split)

@@ -50,7 +50,8 @@ struct Remeshing_parameters
   bool fit_to_surface = false;
   bool project_borders = false;
   Allowed_operations allowed;
-  double error = 0; // the largest distance to the surface; 0 if none is asked for
+  bool has_long_facets = false; // whether the facets of the input are the long and exact ones of a CAD program
+  double error = 0;             // the largest distance to the surface; 0 if none is asked for
   Target_length target = Target_length::of_number_of_faces(0);
 };
 

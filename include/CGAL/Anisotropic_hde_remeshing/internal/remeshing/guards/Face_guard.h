@@ -106,6 +106,9 @@ class Face_guard
 public:
   explicit Face_guard(const Mesh& mesh) : m_mesh(mesh) {}
 
+  // Where facets are long and exact, what stands along a facet comes to make caps. They are as good as needles.
+  void allow_caps() { m_allows_caps = true; }
+
   bool accepts(const Change& change) const
   {
     for (const New_face& face : change.new_faces())
@@ -122,7 +125,7 @@ private:
   bool accepts_other(const New_face& face, const Face_quality& after, const Change& change) const
   {
     const Face_quality before = face.old_face.is_valid() ? quality(face.old_face) : worst_quality(change.old_faces());
-    return !is_folded_by(after, before) && !is_flattened_by(after, before);
+    return !is_folded_by(after, before) && ((m_allows_caps && !after.is_sliver()) || !is_flattened_by(after, before));
   }
 
   // A part of a face may be a cap if a flip can mend it. The halves of a needle are caps, and nothing but subdivisions leads
@@ -170,6 +173,7 @@ private:
   }
 
   const Mesh& m_mesh;
+  bool m_allows_caps = false;
 };
 
 } // namespace internal

@@ -46,6 +46,8 @@ public:
 
   void set_largest_distance(const double distance) { m_deviation.set_largest_distance(distance); }
 
+  void allow_caps() { m_faces.allow_caps(); }
+
   // whether `accepts()` depends only on what is next to an operation at the edge
   bool is_local(const Edge_index e) const { return !m_intersections.is_near_sheet(e); }
 
@@ -175,7 +177,7 @@ private:
   }
 
   const Mesh& m_mesh;
-  const Face_guard<Mesh> m_faces;
+  Face_guard<Mesh> m_faces;
   const Fold_guard<Mesh> m_folds;
   Deviation_guard<Function> m_deviation;
   std::unique_ptr<Landmark_guard<Mesh>> m_landmarks; // none if nobody keeps them

@@ -32,17 +32,19 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// Contracts edges in the order of what is lost by it, until the mesh has a number of faces or too much would be lost. Quadrics add up what has been lost
-// before. A vertex inside the surface goes where the loss is least. A small part of the quadrics is the squared distance to the
-// vertices that it stands for: it spreads the vertices where the surface is flat, and keeps the matrices regular.
+// Contracts edges in the order of what is lost by it, until the mesh has a number of faces or too much would be lost. Quadrics add
+// up what has been lost before. A vertex inside the surface goes where the loss is least. A small part of the quadrics is the
+// squared distance to the vertices that it stands for: it spreads the vertices where the surface is flat, and keeps the matrices
+// regular. Where facets are long and exact, it must count less than the height of the flattest arc: along such a facet nothing is
+// lost, and that comes first. There, needles may be as long as the facets are.
 template <typename ConcurrencyTag, typename Mesh, typename Guard>
 class Loss_coarsener
 {
   typedef typename Mesh::Vertex Vertex;
 
-  static constexpr double weight_of_points = 1e-6;
-  static constexpr double weight_of_curves = 1;  // of the planes that stand on curves
-  static constexpr double largest_ratio = 100;   // of the longest edge to the altitude
+  static constexpr double weight_of_points = 1e-6, weight_on_long_facets = 1e-12;
+  static constexpr double weight_of_curves = 1; // of the planes that stand on curves
+  static constexpr double largest_ratio = 100, largest_ratio_on_long_facets = 5000; // of the longest edge to the altitude
   static constexpr double smallest_cosine = 0.2; // of the turn of a face
   static constexpr std::size_t largest_degree = 64;
 
@@ -57,8 +59,13 @@ class Loss_coarsener
   };
 
 public:
-  Loss_coarsener(Mesh& mesh, const Curve_network& curves, const Guard& guard, Interruption& interruption)
-    : m_mesh(mesh), m_contraction(mesh, curves, guard), m_guard(guard), m_interruption(interruption)
+  Loss_coarsener(Mesh& mesh, const Curve_network& curves, const Guard& guard, const bool has_long_facets,
+                 Interruption& interruption)
+    : m_mesh(mesh),
+      m_contraction(mesh, curves, guard),
+      m_guard(guard),
+      m_has_long_facets(has_long_facets),
+      m_interruption(interruption)
   {
   }
 
@@ -132,6 +139,7 @@ private:
 
   void init(const Vertex_index v)
   {
+    const double weight = m_has_long_facets ? weight_on_long_facets : weight_of_points;
     const Vector& p = m_mesh.point(v).point;
     for (const Halfedge_index h : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
     {
@@ -143,7 +151,7 @@ private:
         if (third > 0)
         {
           m_quadrics[v] += Quadric::of_plane(p - m_origin, n / (3 * third), third);
-          m_quadrics[v] += Quadric::of_point(p - m_origin, weight_of_points * third);
+          m_quadrics[v] += Quadric::of_point(p - m_origin, weight * third);
         }
         m_normals[v] += n / 3;
         m_areas[v] += third;
@@ -230,7 +238,7 @@ private:
         if (!(n.dot(m) >= smallest_cosine * n.norm() * m.norm()) || !(n.norm() > 0))
           return false;
         const double ratio = after.ratio();
-        if (ratio > largest_ratio && ratio > before.ratio())
+        if (ratio > (m_has_long_facets ? largest_ratio_on_long_facets : largest_ratio) && ratio > before.ratio())
           return false;
       }
     }
@@ -284,6 +292,7 @@ private:
   Mesh& m_mesh;
   const Edge_contraction<Mesh, Guard> m_contraction;
   const Guard& m_guard;
+  const bool m_has_long_facets;
   Interruption& m_interruption;
   std::vector<Quadric> m_quadrics;
   Vector m_origin;               // of the quadrics: far from it they would be inexact
