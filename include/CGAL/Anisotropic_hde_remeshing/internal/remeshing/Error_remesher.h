@@ -69,7 +69,7 @@ class Error_remesher
 
 public:
   // Samples stay below a share of the error, because between them the distance is larger.
-  Error_remesher(Mesh& mesh, const Curve_network& curves, const Guard& guard, const Input_surface& input,
+  Error_remesher(Mesh& mesh, const Curve_network& curves, Guard& guard, const Input_surface& input,
                  const Remeshing_parameters& parameters, const Visitor_reference visitor, const double share_of_error)
     : m_mesh(mesh),
       m_curves(curves),
@@ -308,7 +308,7 @@ private:
 
   Mesh& m_mesh;
   const Curve_network& m_curves;
-  const Guard& m_guard;
+  Guard& m_guard;
   const Input_surface& m_input;
   const Remeshing_parameters& m_parameters;
   const Visitor_reference m_visitor;

@@ -41,7 +41,7 @@ namespace internal {
 
 // Returns the faces that do not keep the error, if one was asked for.
 template <typename ConcurrencyTag, typename Mesh, typename Guard>
-auto remesh_once(Mesh& mesh, const Curve_network& curves, const Guard& guard, const Input_surface& input,
+auto remesh_once(Mesh& mesh, const Curve_network& curves, Guard& guard, const Input_surface& input,
                  const Remeshing_parameters& parameters, const Visitor_reference visitor, const double share_of_error,
                  Remeshing_report& report)
 {
@@ -73,7 +73,7 @@ void mark_vertices_near(const FailingFaces& failing, const double distance, cons
 // Where some faces cannot be brought near enough to the input, it begins again, and keeps the input there as it is. If that does
 // not help either, all of the input stays: it keeps every error. Where that takes more faces than allowed, their number leads.
 template <typename ConcurrencyTag, typename Mesh, typename Guard>
-void keep_error(Mesh& mesh, const Curve_network& curves, const Guard& guard, const Input_surface& input,
+void keep_error(Mesh& mesh, const Curve_network& curves, Guard& guard, const Input_surface& input,
                 const Remeshing_parameters& parameters, const Visitor_reference visitor, Remeshing_report& report)
 {
   static constexpr double reach_of_faces = 2; // over the error: so near to a face the input is kept
@@ -137,8 +137,6 @@ Remeshing_report remesh_by_error(Working_mesh<Normal_embedding::Vertex_data>& me
   report.curves_before = feature_curves(mesh);
   const Surface_function no_function;
   Guard guard(mesh, no_function, intersections);
-  if (parameters.has_long_facets)
-    guard.allow_caps();
   report.projection_seconds = timer.time();
   if (visitor.interruption().is_requested())
     return report;

@@ -106,8 +106,8 @@ class Face_guard
 public:
   explicit Face_guard(const Mesh& mesh) : m_mesh(mesh) {}
 
-  // Where facets are long and exact, what stands along a facet comes to make caps. They are as good as needles.
-  void allow_caps() { m_allows_caps = true; }
+  // Along a facet that is long and exact, caps may be all that there is on the way to fewer faces.
+  void allow_caps(const bool is_allowed) { m_allows_caps = is_allowed; }
 
   bool accepts(const Change& change) const
   {

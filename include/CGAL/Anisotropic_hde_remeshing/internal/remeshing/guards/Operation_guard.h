@@ -46,7 +46,8 @@ public:
 
   void set_largest_distance(const double distance) { m_deviation.set_largest_distance(distance); }
 
-  void allow_caps() { m_faces.allow_caps(); }
+  // whether flat faces are allowed that are no slivers
+  void allow_caps(const bool is_allowed) { m_faces.allow_caps(is_allowed); }
 
   // whether `accepts()` depends only on what is next to an operation at the edge
   bool is_local(const Edge_index e) const { return !m_intersections.is_near_sheet(e); }

@@ -35,17 +35,22 @@ namespace internal {
 // Contracts edges in the order of what is lost by it, until the mesh has a number of faces or too much would be lost. Quadrics add
 // up what has been lost before. A vertex inside the surface goes where the loss is least. A small part of the quadrics is the
 // squared distance to the vertices that it stands for: it spreads the vertices where the surface is flat, and keeps the matrices
-// regular. Where facets are long and exact, it must count less than the height of the flattest arc: along such a facet nothing is
-// lost, and that comes first. There, needles may be as long as the facets are.
+// regular. Where facets are long and exact, what loses nothing comes first: a vertex along a facet goes to another one there. On the
+// way, the faces may be needles and caps.
 template <typename ConcurrencyTag, typename Mesh, typename Guard>
 class Loss_coarsener
 {
   typedef typename Mesh::Vertex Vertex;
 
-  static constexpr double weight_of_points = 1e-6, weight_on_long_facets = 1e-12;
-  static constexpr double weight_of_curves = 1; // of the planes that stand on curves
-  static constexpr double largest_ratio = 100, largest_ratio_on_long_facets = 5000; // of the longest edge to the altitude
-  static constexpr double smallest_cosine = 0.2; // of the turn of a face
+  static constexpr double weight_of_points = 1e-6;
+  static constexpr double weight_of_curves = 1;         // of the planes that stand on curves
+  static constexpr double largest_ratio = 100;          // of the longest edge to the altitude
+  static constexpr double growth_without_loss = 16;     // of this ratio, along long facets
+  static constexpr double least_median_ratio = 8;       // of the faces, for facets that are long as a rule
+  static constexpr double ratio_of_rounding = 1 + 1e-6; // a needle is no worse than another one if it is as long
+  static constexpr double smallest_cosine = 0.2;        // of the turn of a face
+  static constexpr double distance_without_loss = 1e-7; // of the size of the mesh: the rounding of files in single precision
+  static constexpr double order_of_what_loses_nothing = 1e-12; // costs of what loses nothing are less than all others by this
   static constexpr std::size_t largest_degree = 64;
 
   struct Candidate
@@ -59,8 +64,7 @@ class Loss_coarsener
   };
 
 public:
-  Loss_coarsener(Mesh& mesh, const Curve_network& curves, const Guard& guard, const bool has_long_facets,
-                 Interruption& interruption)
+  Loss_coarsener(Mesh& mesh, const Curve_network& curves, Guard& guard, const bool has_long_facets, Interruption& interruption)
     : m_mesh(mesh),
       m_contraction(mesh, curves, guard),
       m_guard(guard),
@@ -90,12 +94,14 @@ public:
       if (!place(e, h, point) || !CGAL::Euler::does_satisfy_link_condition(e, m_mesh.graph()) || !is_accepted(h, point))
         continue; // it comes again if something changes there
       const Vertex kept = kept_state(h, point);
+      m_guard.allow_caps(loses_nothing(e, point));
       if (!m_guard.accepts(m_contraction.change(h, kept)))
         continue;
       n -= m_mesh.is_border(e) ? 1 : 2;
       ++m_number_of_collapses;
       contract(h, kept);
     }
+    m_guard.allow_caps(false);
     std::vector<Vertex_index> result(m_parents.size());
     for (std::size_t v = 0; v < result.size(); ++v)
       result[v] = root(Vertex_index(std::uint32_t(v)));
@@ -109,6 +115,8 @@ private:
   {
     m_quadrics.assign(vertex_capacity(m_mesh), Quadric());
     m_origin = first_point(m_mesh);
+    if (m_has_long_facets)
+      init_exact_part();
     m_normals.assign(vertex_capacity(m_mesh), Vector::Zero());
     m_areas.assign(vertex_capacity(m_mesh), 0.);
     m_versions.assign(edge_capacity(m_mesh), 0);
@@ -139,7 +147,6 @@ private:
 
   void init(const Vertex_index v)
   {
-    const double weight = m_has_long_facets ? weight_on_long_facets : weight_of_points;
     const Vector& p = m_mesh.point(v).point;
     for (const Halfedge_index h : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
     {
@@ -150,8 +157,11 @@ private:
         const double third = n.norm() / 3;
         if (third > 0)
         {
-          m_quadrics[v] += Quadric::of_plane(p - m_origin, n / (3 * third), third);
-          m_quadrics[v] += Quadric::of_point(p - m_origin, weight * third);
+          const Quadric of_plane = Quadric::of_plane(p - m_origin, n / (3 * third), third);
+          m_quadrics[v] += of_plane;
+          if (m_has_long_facets)
+            m_exact_quadrics[v] += of_plane;
+          m_quadrics[v] += Quadric::of_point(p - m_origin, weight_of_points * third);
         }
         m_normals[v] += n / 3;
         m_areas[v] += third;
@@ -172,9 +182,63 @@ private:
       if (m_mesh.is_border(side))
         continue;
       const Vector across = face_normal(side, m_mesh).cross(edge);
-      if (across.norm() > 0)
-        m_quadrics[v] += Quadric::of_plane(p - m_origin, across.normalized(), weight_of_curves * edge.squaredNorm() / 2);
+      if (!(across.norm() > 0))
+        continue;
+      const Quadric of_plane = Quadric::of_plane(p - m_origin, across.normalized(), weight_of_curves * edge.squaredNorm() / 2);
+      m_quadrics[v] += of_plane;
+      if (m_has_long_facets)
+        m_exact_quadrics[v] += of_plane;
     }
+  }
+
+  void init_exact_part()
+  {
+    m_exact_quadrics.assign(vertex_capacity(m_mesh), Quadric());
+    Vector least = m_origin, most = m_origin;
+    for (const Vertex_index v : m_mesh.vertices())
+    {
+      least = least.cwiseMin(m_mesh.point(v).point);
+      most = most.cwiseMax(m_mesh.point(v).point);
+    }
+    const double distance = distance_without_loss * (most - least).norm();
+    m_square_without_loss = distance * distance;
+    const double ratio = median_ratio();
+    m_has_long_facets = ratio > least_median_ratio;
+    m_largest_ratio_without_loss = (std::max)(largest_ratio, growth_without_loss * ratio);
+  }
+
+  // half of the area is in faces that are as long as this, or longer
+  double median_ratio() const
+  {
+    std::vector<std::pair<double, double>> ratios_and_areas;
+    double area = 0;
+    for (const Face_index f : m_mesh.faces())
+    {
+      const Triangle t(m_mesh.halfedge(f), m_mesh);
+      const Space_triangle triangle{m_mesh.point(t.a).point, m_mesh.point(t.b).point, m_mesh.point(t.c).point};
+      ratios_and_areas.emplace_back(triangle.ratio(), triangle.normal().norm());
+      area += ratios_and_areas.back().second;
+    }
+    std::sort(ratios_and_areas.begin(), ratios_and_areas.end());
+    double below = 0;
+    for (const auto& [ratio, of_face] : ratios_and_areas)
+    {
+      below += of_face;
+      if (below >= area / 2)
+        return ratio;
+    }
+    return 0;
+  }
+
+  // whether the facets are long and exact, and the contraction of an edge to a point keeps them
+  bool loses_nothing(const Edge_index e, const Vector& point) const
+  {
+    if (!m_has_long_facets)
+      return false;
+    const Vertex_index a = m_mesh.vertex(e, 0), b = m_mesh.vertex(e, 1);
+    Quadric sum = m_exact_quadrics[a];
+    sum += m_exact_quadrics[b];
+    return sum(point - m_origin) <= m_square_without_loss * (m_areas[a] + m_areas[b]);
   }
 
   // The loss by contracting an edge; infinite if curves do not allow it.
@@ -186,7 +250,7 @@ private:
       return (std::numeric_limits<double>::infinity)();
     Quadric sum = m_quadrics[m_mesh.source(h)];
     sum += m_quadrics[m_mesh.target(h)];
-    return sum(point - m_origin);
+    return (loses_nothing(e, point) ? order_of_what_loses_nothing : 1) * sum(point - m_origin);
   }
 
   // the halfedge to contract, and where its target goes
@@ -199,6 +263,10 @@ private:
     const Vertex &a = m_mesh.point(m_mesh.source(h)), &b = m_mesh.point(m_mesh.target(h));
     if (!is_bound(a) && !is_bound(b))
     {
+      const double at_a = sum(a.point - m_origin), at_b = sum(b.point - m_origin);
+      point = at_a < at_b ? a.point : b.point;
+      if (loses_nothing(e, point))
+        return true;
       point = m_origin + sum.minimum();
       const double squared_length = (a.point - b.point).squaredNorm();
       if (!((point - a.point).squaredNorm() < 4 * squared_length))
@@ -222,6 +290,7 @@ private:
   {
     if (m_mesh.degree(m_mesh.source(h)) + m_mesh.degree(m_mesh.target(h)) > largest_degree)
       return false;
+    const double largest = loses_nothing(m_mesh.edge(h), point) ? m_largest_ratio_without_loss : largest_ratio;
     for (const Halfedge_index end : {h, m_mesh.opposite(h)})
     {
       const Vertex_index other = m_mesh.source(end);
@@ -238,7 +307,7 @@ private:
         if (!(n.dot(m) >= smallest_cosine * n.norm() * m.norm()) || !(n.norm() > 0))
           return false;
         const double ratio = after.ratio();
-        if (ratio > (m_has_long_facets ? largest_ratio_on_long_facets : largest_ratio) && ratio > before.ratio())
+        if (ratio > largest && ratio > ratio_of_rounding * before.ratio())
           return false;
       }
     }
@@ -260,13 +329,20 @@ private:
   void contract(const Halfedge_index h, const Vertex& kept)
   {
     const Vertex_index a = m_mesh.source(h), b = m_mesh.target(h);
-    Quadric sum = m_quadrics[a];
+    Quadric sum = m_quadrics[a], exact_sum;
     sum += m_quadrics[b];
+    if (m_has_long_facets)
+    {
+      exact_sum = m_exact_quadrics[a];
+      exact_sum += m_exact_quadrics[b];
+    }
     const Vector normal = m_normals[a] + m_normals[b];
     const double area = m_areas[a] + m_areas[b];
     const Vertex_index v = m_contraction.contract(h, kept);
     m_parents[v == a ? b : a] = v;
     m_quadrics[v] = sum;
+    if (m_has_long_facets)
+      m_exact_quadrics[v] = exact_sum;
     m_normals[v] = normal;
     m_areas[v] = area;
     for (const Halfedge_index in : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
@@ -291,10 +367,12 @@ private:
 
   Mesh& m_mesh;
   const Edge_contraction<Mesh, Guard> m_contraction;
-  const Guard& m_guard;
-  const bool m_has_long_facets;
+  Guard& m_guard;
+  bool m_has_long_facets;
   Interruption& m_interruption;
-  std::vector<Quadric> m_quadrics;
+  std::vector<Quadric> m_quadrics, m_exact_quadrics; // the latter without points, if there are long facets
+  double m_square_without_loss = 0;                  // of the mean distance
+  double m_largest_ratio_without_loss = largest_ratio;
   Vector m_origin;               // of the quadrics: far from it they would be inexact
   std::vector<Vector> m_normals; // of the area that a vertex stands for
   std::vector<double> m_areas;
