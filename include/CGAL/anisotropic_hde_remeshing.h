@@ -327,7 +327,7 @@ the same without a function.
 If only a number of faces is asked for, and it is at most three quarters of that of the mesh, the mesh is remeshed by measured
 error (`Anisotropic_hde_remeshing::Remeshing_scheme::MEASURED_ERROR`): its facets are the surface, and no function is built. So it is
 for any number if the facets are those of a CAD program: if more than a quarter of the area is in faces whose longest edge is more
-than eight times the altitude over it. Only here, `sigma`, `target_edge_length` and the counters of projections in the result are 0.
+than eight times the altitude over it, or in long facets of several faces, as those of a cylinder of few sides. Only here, `sigma`, `target_edge_length` and the counters of projections in the result are 0.
 
 Otherwise the surface is the smooth one that `Rbf_implicit_function` lays through the vertices of the mesh. The named parameters of
 `Rbf_implicit_function` may be given, too: `number_of_patches`, `patch_overlap`, `offset_distance`, `vertex_normal_map` and

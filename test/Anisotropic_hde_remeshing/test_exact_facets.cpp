@@ -7,14 +7,16 @@
 // Author(s)     : The Anisotropic_hde_remeshing developers
 
 // Shapes as CAD programs write them, few triangles and long ones, that are to have more of them: the facets themselves are the
-// surface, and the mesh stays on them.
+// surface, and the mesh stays on them. With fewer, what loses nothing goes first.
 
 #include "cad_shapes.h"
 #include "check.h"
 #include "remeshing_checks.h"
 #include "shapes.h"
 
+#include <CGAL/Anisotropic_hde_remeshing/Curvature_metric.h>
 #include <CGAL/Anisotropic_hde_remeshing/distance_measures.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/regions/has_long_facets.h>
 #include <CGAL/Anisotropic_hde_remeshing/quality_measures.h>
 #include <CGAL/Anisotropic_hde_remeshing/transfer_vertex_property.h>
 #include <CGAL/anisotropic_hde_remeshing.h>
@@ -149,9 +151,72 @@ void test_protected()
   CHECK(before == after);
 }
 
+// Where the rings between the ends are enough to contract, nothing is lost.
+void test_fewer_faces()
+{
+  const std::size_t sides = 64, wanted = 700;
+  const Mesh input = cad_shapes::tube(sides, 3);
+  const auto check = [&](const auto& np)
+  {
+    Mesh mesh = input;
+    const Hde::Remeshing_result result = CGAL::anisotropic_hde_remeshing<Tag>(mesh, np.number_of_target_faces(wanted));
+    const double distance = Hde::measure_distance<Tag>(mesh, input).max();
+    std::cout << "fewer: " << result.number_of_faces << " faces of " << wanted << ", largest distance " << distance
+              << std::endl;
+    CHECK(is_reached(result, wanted));
+    CHECK(result.has_long_facets);
+    CHECK(result.number_of_lone_faces == 0);
+    CHECK(distance <= 1e-9);
+    remeshing_checks::check_same_topology(input, mesh);
+  };
+  check(params::do_split(true));
+  check(params::sharp_angle(40));
+}
+
+bool is_of_long_facets(const Mesh& mesh) { return Hde::internal::has_long_facets(mesh.faces(), mesh, mesh.points()); }
+
+// Facets of few sides are facets, however they are cut. Where a surface may be meant to be smooth, they are not.
+void test_what_is_exact()
+{
+  for (const std::size_t bands : {1, 3, 5})
+    for (const bool is_closed : {true, false})
+      CHECK(is_of_long_facets(cad_shapes::cylinder(12, bands, is_closed)));
+  CHECK(is_of_long_facets(cad_shapes::tube(12, 3)));
+  CHECK(is_of_long_facets(cad_shapes::bar_with_fillets(3, 3)));
+  for (const Mesh& smooth : {icosphere(1), icosphere(3), torus(12, 8), torus(64, 24), ellipsoid(3), cube(6), l_block(2)})
+    CHECK(!is_of_long_facets(smooth));
+}
+
+// Embeddings keep to the facets, too: the flat sides of a bar do not bulge, and arcs of few sides do not swell.
+void test_embedding(const Mesh& input, const double height)
+{
+  Mesh mesh = input;
+  CGAL::anisotropic_hde_remeshing<Tag>(
+      mesh, params::number_of_target_faces(1000).sharp_angle(40).embedding(Hde::Curvature_metric(2)));
+  const double distance = Hde::measure_distance<Tag>(mesh, input).max();
+  std::cout << "by an embedding: largest distance " << distance / height << " heights" << std::endl;
+  CHECK(distance <= height);
+  remeshing_checks::check_same_topology(input, mesh);
+}
+
+// A triangle without neighbours is counted.
+void test_lone_faces()
+{
+  Mesh mesh = icosphere(2);
+  mesh.add_face(mesh.add_vertex(Point_3(3, 0, 0)), mesh.add_vertex(Point_3(4, 0, 0)), mesh.add_vertex(Point_3(3, 1, 0)));
+  const Hde::Remeshing_result result = CGAL::anisotropic_hde_remeshing<Tag>(mesh, params::number_of_target_faces(100));
+  CHECK(result.number_of_lone_faces == 1);
+  CHECK(!result.has_long_facets);
+}
+
 int main()
 {
   test_shapes();
+  test_fewer_faces();
+  test_what_is_exact();
+  test_embedding(cad_shapes::cylinder(12, 3, true), cad_shapes::chord_height(12));
+  test_embedding(cad_shapes::bar_with_fillets(3, 3), cad_shapes::chord_height(12));
+  test_lone_faces();
   test_any_number();
   test_locations();
   test_part();

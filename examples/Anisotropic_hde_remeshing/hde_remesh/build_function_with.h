@@ -41,7 +41,7 @@ Built_function build_with_parameters(const Mesh& mesh, const Options& o, const N
   if (o.sharp)
   {
     const CGAL::Piecewise_rbf_implicit_function<Kernel, RadialFunction, CGAL::Parallel_if_available_tag> function(
-        mesh, creases_of(mesh).region, np);
+        mesh, creases_of(mesh).region, CGAL::Anisotropic_hde_remeshing::internal::keep_long_facets(np));
     result.function = Function_view::of_pieces(function);
     result.pieces = function.diagnostics();
   }

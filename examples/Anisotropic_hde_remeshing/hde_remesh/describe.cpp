@@ -12,6 +12,8 @@
 #include "in_short.h"
 #include "measure.h"
 
+#include <CGAL/Anisotropic_hde_remeshing/internal/regions/has_long_facets.h>
+
 #include <string>
 #include <utility>
 #include <vector>
@@ -92,6 +94,18 @@ void warn_of_creases(const Mesh& input, const Remeshed& remeshed, const Options&
                               " keeps them");
 }
 
+// By an embedding, vertices stand where the lengths want them, and not on the edges between facets that are long and exact.
+void note_long_facets(const Mesh& input, const Remeshed& remeshed, Report& report)
+{
+  static constexpr double rounding = 1e-6; // of the diagonal
+  namespace Hde_internal = CGAL::Anisotropic_hde_remeshing::internal;
+  if (!remeshed.function.has_values() || !report.distance || !(report.distance->max() > rounding * report.diagonal) ||
+      !Hde_internal::has_long_facets(faces(input), input, input.points()))
+    return;
+  report.notes.push_back("IN has the long and exact facets of a CAD program: by an embedding IN and OUT are up to " +
+                         in_short(report.distance->max() / report.diagonal) + " D apart, by a number of faces alone less");
+}
+
 // what is no error, but no one expects
 void add_warnings(Report& report)
 {
@@ -114,6 +128,7 @@ void describe(const Options& options, const Checked_mesh& input, const Sizes& si
   add_warnings(report);
   warn_of_creases(input.mesh, remeshed, options, report);
   warn_of_options(options, remeshed, report);
+  note_long_facets(input.mesh, remeshed, report);
 }
 
 } // namespace hde_remesh

@@ -158,7 +158,9 @@ Json to_json(const Hde::Remeshing_result& result)
           {"projections_descent", result.projections.descent},
           {"projections_closest_point", result.projections.closest_point},
           {"unprojected_vertices", result.number_of_unprojected_vertices},
-          {"needles", result.number_of_needles}};
+          {"needles", result.number_of_needles},
+          {"lone_faces", result.number_of_lone_faces},
+          {"long_facets", result.has_long_facets}};
 }
 
 Json to_json(const Hde::Distance_measures& m)

@@ -86,6 +86,14 @@ struct Remeshing_result
   std::size_t number_of_self_intersections_before = 0;
   /// the same of the result: no more than before. If the visitor stopped the remeshing, those of the input are told.
   std::size_t number_of_self_intersections = 0;
+  /// of these, the faces that share no edge with another one. Many of them, in a mesh that should be connected, are a sign of points
+  /// that coincide and should be one.
+  std::size_t number_of_lone_faces = 0;
+  /// whether the remeshing went by measured error, and took the faces for the long and exact facets of a CAD program
+  bool has_long_facets = false;
+  /// the patches of the function that the package has built, and those of them where the input itself answers: there parameters
+  /// such as `smoothing` have no effect. Both are 0 if the function is the caller's, or by measured error, where there is none.
+  std::size_t number_of_patches = 0, number_of_patches_on_fallback = 0;
   unsigned int number_of_iterations = 0; ///< the iterations done
   std::size_t number_of_splits = 0;
   std::size_t number_of_collapses = 0;

@@ -20,7 +20,8 @@ namespace Anisotropic_hde_remeshing {
 enum class Remeshing_scheme
 {
   /// `MEASURED_ERROR` if an error is asked for, or a number of faces that is at most three quarters of that of the input, or any
-  /// number where more than a quarter of the area is in faces whose longest edge is more than eight times the altitude over it, and
+  /// number where more than a quarter of the area is in faces whose longest edge is more than eight times the altitude over it, or
+  /// in facets of several faces in one plane that are long and turn by much, as those of a cylinder of few sides; and
   /// neither an embedding, nor a length, a function or a parameter of one of these. Otherwise `EMBEDDING`.
   DEFAULT,
   /// Algorithm 2 of the paper. An iteration first repeats three operations until nothing is contracted: it contracts edges

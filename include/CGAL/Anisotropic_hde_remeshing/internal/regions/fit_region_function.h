@@ -13,11 +13,14 @@
 
 #include <CGAL/Anisotropic_hde_remeshing/internal/functions/evaluation.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Vector.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/interpolation_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/sample_mesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Interruption.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/Named_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/Region_facets.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/Region_function.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/Region_plane.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/regions/has_long_facets.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/split_regions.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -58,8 +61,24 @@ double share_of_missed_facets(const Field& field, const Region_mesh& region)
   return area > 0 ? missed / area : 0;
 }
 
+// Marks named parameters: without smoothing, facets that are long and exact are the function of their region. The remeshing of a mesh
+// on its own surface asks for it. By itself, the function of a cylinder of two rows of vertices is that of the cylinder.
+enum Keeps_long_facets
+{
+};
+
+template <typename T, typename Tag, typename Base>
+auto keep_long_facets(const Named_function_parameters<T, Tag, Base>& np)
+{
+  return named_parameters(
+      Named_function_parameters<bool, Keeps_long_facets, Named_function_parameters<T, Tag, Base>>(true, np));
+}
+
+template <typename NamedParameters>
+constexpr bool keeps_long_facets = !parameters::is_default_parameter<NamedParameters, Keeps_long_facets>::value;
+
 // Fits the function of a region: a plane if all points are in one within `tolerance`, else a field, and the distance to the
-// facets where a field is not to be had. `np` has the parameters of the field.
+// facets where these are kept as the long and exact ones of a CAD program, or a field is not to be had. `np` has the parameters of the field.
 template <typename Field, typename NamedParameters>
 Region_function<Field> fit_region_function(const Region_mesh& region, const double tolerance, const NamedParameters& np,
                                            Interruption& interruption)
@@ -69,7 +88,9 @@ Region_function<Field> fit_region_function(const Region_mesh& region, const doub
   static constexpr double largest_share_of_missed_facets = 0.02;
   if (const auto plane = plane_of(region, tolerance))
     return Region_function<Field>(*plane);
-  if (region.number_of_vertices() >= least_number_of_vertices)
+  const bool has_exact_facets = keeps_long_facets<NamedParameters> && !(interpolation_parameters(np).smoothing > 0) &&
+                                has_long_facets(region.faces(), region, region.points());
+  if (region.number_of_vertices() >= least_number_of_vertices && !has_exact_facets)
   {
     try
     {

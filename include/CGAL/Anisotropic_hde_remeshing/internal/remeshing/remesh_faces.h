@@ -21,10 +21,10 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/parallel.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/check_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/visitor_parameter.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/regions/has_long_facets.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Visitor_reference.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/Mesh_intersections.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/load_obstacles.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/has_long_facets.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/input_locations.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/Mesh_storer.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/load_mesh.h>
@@ -95,6 +95,21 @@ std::size_t number_of_needles(const Mesh& mesh)
   {
     const Triangle t(mesh.halfedge(f), mesh);
     number += aspect_ratio(mesh.point(t.a).point, mesh.point(t.b).point, mesh.point(t.c).point) > needle_aspect_ratio ? 1 : 0;
+  }
+  return number;
+}
+
+// counts faces without a neighbour
+template <typename Mesh>
+std::size_t number_of_lone_faces(const Mesh& mesh)
+{
+  std::size_t number = 0;
+  for (const Face_index f : mesh.faces())
+  {
+    bool is_lone = true;
+    for (const Halfedge_index h : mesh.halfedges_around_face(mesh.halfedge(f)))
+      is_lone = is_lone && mesh.is_border(mesh.opposite(h));
+    number += is_lone ? 1 : 0;
   }
   return number;
 }
@@ -232,6 +247,8 @@ Remeshing_result remesh_faces(const FaceRange& faces, TriangleMesh& tmesh, const
   result.number_of_needles = number_of_needles(mesh);
   result.number_of_self_intersections_before = intersections.number_of_pairs_before();
   result.number_of_self_intersections = intersections.number_of_pairs();
+  result.number_of_lone_faces = number_of_lone_faces(mesh);
+  result.has_long_facets = parameters.has_long_facets;
   const bool is_all_replaced = is_whole_mesh && !is_constrained<NamedParameters>;
   std::vector<Input_location> locations;
   Located_vertices<TriangleMesh> rest;

@@ -17,8 +17,8 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/parameter_types.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/type_traits.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/visitor_parameter.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/regions/has_long_facets.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/keep_sharp_curves.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/has_long_facets.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/input_locations.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/remesh_faces.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/remeshing_parameters.h>
@@ -247,6 +247,8 @@ Remeshing_result remesh_faces_on_built_surface(const FaceRange& faces, TriangleM
       const double seconds = timer.time();
       result = remesh_faces<ConcurrencyTag>(faces, tmesh, function, is_whole_mesh, np_of_rest, creases);
       result.implicit_function_seconds = seconds;
+      result.number_of_patches = function.diagnostics().number_of_patches;
+      result.number_of_patches_on_fallback = function.diagnostics().patches_on_fallback;
     };
     if constexpr (may_have_creases<NamedParameters>)
     {
@@ -255,7 +257,8 @@ Remeshing_result remesh_faces_on_built_surface(const FaceRange& faces, TriangleM
       typedef Crease_maps<std::decay_t<decltype(edge_is_crease)>, std::decay_t<decltype(face_region)>> Creases;
       if (find_creases(tmesh, np, edge_is_crease, face_region))
       {
-        remesh_on(Piecewise_rbf_implicit_function<Kernel, Radial_function, ConcurrencyTag>(tmesh, face_region, np_of_function),
+        remesh_on(Piecewise_rbf_implicit_function<Kernel, Radial_function, ConcurrencyTag>(tmesh, face_region,
+                                                                                           keep_long_facets(np_of_function)),
                   Creases{edge_is_crease, face_region});
         return result;
       }
