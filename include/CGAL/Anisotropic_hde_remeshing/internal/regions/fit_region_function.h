@@ -78,7 +78,8 @@ template <typename NamedParameters>
 constexpr bool keeps_long_facets = !parameters::is_default_parameter<NamedParameters, Keeps_long_facets>::value;
 
 // Fits the function of a region: a plane if all points are in one within `tolerance`, else a field, and the distance to the
-// facets where these are kept as the long and exact ones of a CAD program, or a field is not to be had. `np` has the parameters of the field.
+// facets where these are kept as the long and exact ones of a CAD program, or a field is not to be had. `np` has the parameters of
+// the field.
 template <typename Field, typename NamedParameters>
 Region_function<Field> fit_region_function(const Region_mesh& region, const double tolerance, const NamedParameters& np,
                                            Interruption& interruption)
@@ -88,8 +89,10 @@ Region_function<Field> fit_region_function(const Region_mesh& region, const doub
   static constexpr double largest_share_of_missed_facets = 0.02;
   if (const auto plane = plane_of(region, tolerance))
     return Region_function<Field>(*plane);
-  const bool has_exact_facets = keeps_long_facets<NamedParameters> && !(interpolation_parameters(np).smoothing > 0) &&
-                                has_long_facets(region.faces(), region, region.points());
+  const Interpolation_parameters parameters = interpolation_parameters(np);
+  const bool is_smoothed = parameters.noise > 0 || parameters.estimates_noise;
+  const bool has_exact_facets =
+      keeps_long_facets<NamedParameters> && !is_smoothed && has_long_facets(region.faces(), region, region.points());
   if (region.number_of_vertices() >= least_number_of_vertices && !has_exact_facets)
   {
     try
