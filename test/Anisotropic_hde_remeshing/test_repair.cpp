@@ -13,6 +13,7 @@
 #include "../../examples/Anisotropic_hde_remeshing/hde_remesh/Mesh.h"
 #include "../../examples/Anisotropic_hde_remeshing/hde_remesh/cracks.h"
 #include "../../examples/Anisotropic_hde_remeshing/hde_remesh/flat_faces.h"
+#include "../../examples/Anisotropic_hde_remeshing/hde_remesh/intersecting_faces.h"
 #include "../../examples/Anisotropic_hde_remeshing/hde_remesh/repair.h"
 #include "../../examples/Anisotropic_hde_remeshing/hde_remesh/sides.h"
 
@@ -21,6 +22,7 @@
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Random.h>
 #include <CGAL/boost/graph/helpers.h>
 
@@ -415,6 +417,36 @@ void test_flat_faces()
   CHECK(of_line.number == 1 && of_line.number_left == 1 && line.number_of_faces() == 1);
 }
 
+// A vertex drawn through the other side of a sphere comes back, and all else stays. Spheres that cross stay as they are: nothing but
+// another topology would part them.
+void test_intersecting_faces()
+{
+  Soup soup = sphere(3);
+  soup.points[0] = CGAL::ORIGIN - 1.5 * (soup.points[0] - CGAL::ORIGIN);
+  Mesh mesh = hde_remesh::mesh_of_soup(soup, "pierced sphere").mesh;
+  const std::size_t number_of_points = mesh.number_of_vertices();
+  const hde_remesh::Intersecting_faces pairs = hde_remesh::untangle(mesh);
+  std::cout << "a pierced sphere: " << pairs.number << " pairs, " << pairs.number_left << " left, "
+            << pairs.number_of_new_points << " points moved" << std::endl;
+  CHECK(pairs.number > 0 && pairs.number_left == 0);
+  CHECK(!CGAL::Polygon_mesh_processing::does_self_intersect(mesh));
+  CHECK(CGAL::is_closed(mesh) && number_of_components(mesh) == 1);
+  CHECK(pairs.number_of_new_points < number_of_points / 4);
+  const hde_remesh::Intersecting_faces again = hde_remesh::untangle(mesh);
+  CHECK(again.number == 0 && again.number_of_new_points == 0);
+
+  Soup two = sphere(2);
+  const std::size_t n = two.points.size(), m = two.faces.size();
+  for (std::size_t i = 0; i < n; ++i)
+    two.points.push_back(two.points[i] + Vector_3(1, 0.1, 0.2));
+  for (std::size_t f = 0; f < m; ++f)
+    two.faces.push_back({two.faces[f][0] + n, two.faces[f][1] + n, two.faces[f][2] + n});
+  Mesh spheres = hde_remesh::mesh_of_soup(two, "spheres that cross").mesh;
+  const hde_remesh::Intersecting_faces crossing = hde_remesh::untangle(spheres);
+  CHECK(crossing.number > 0 && crossing.number_left <= crossing.number);
+  CHECK(CGAL::is_closed(spheres) && number_of_components(spheres) == 2);
+}
+
 } // namespace
 
 int main()
@@ -430,5 +462,6 @@ int main()
   test_no_walls();
   test_diagonals();
   test_flat_faces();
+  test_intersecting_faces();
   return check_summary();
 }

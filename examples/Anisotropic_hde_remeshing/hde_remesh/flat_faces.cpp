@@ -7,8 +7,7 @@
 // Author(s)     : The Anisotropic_hde_remeshing developers
 
 #include "flat_faces.h"
-
-#include <CGAL/Anisotropic_hde_remeshing/quality_measures.h>
+#include "have_same_topology.h"
 
 #include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -93,15 +92,6 @@ void remove_nearly_flat_faces(Mesh& mesh, const double tolerance)
                     has_changed;
     }
   }
-}
-
-bool have_same_topology(const Mesh& a, const Mesh& b)
-{
-  const CGAL::Anisotropic_hde_remeshing::Topology_measures of_a = CGAL::Anisotropic_hde_remeshing::measure_topology(a),
-                                                           of_b = CGAL::Anisotropic_hde_remeshing::measure_topology(b);
-  return of_a.number_of_components == of_b.number_of_components &&
-         of_a.number_of_boundary_loops == of_b.number_of_boundary_loops &&
-         of_a.euler_characteristic == of_b.euler_characteristic;
 }
 
 } // namespace

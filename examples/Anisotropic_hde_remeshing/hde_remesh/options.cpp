@@ -324,7 +324,7 @@ std::optional<Options> read_command_line(const int argc, char** argv)
   auto* repair = app.add_flag("--repair", o.repair,
                               "mend IN first: merge equal points, close cracks, drop double faces and walls between solids,\n"
                               "orient the faces alike, double the points where sheets touch, divide polygons into triangles,\n"
-                              "stitch edges");
+                              "stitch edges, untangle faces that intersect");
   app.add_option("--merge", o.merge,
                  "make points of IN one that are no further apart, in the unit of the mesh, where this joins two boundary\n"
                  "edges. Without it, in STL files and with --repair: 4 units in the last place of the coordinates");

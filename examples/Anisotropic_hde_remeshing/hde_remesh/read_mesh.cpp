@@ -14,6 +14,7 @@
 #include "field_file.h"
 #include "flat_faces.h"
 #include "in_short.h"
+#include "intersecting_faces.h"
 #include "measure.h"
 #include "mesh_file.h"
 #include "repair.h"
@@ -140,6 +141,21 @@ void tell_flat_faces(Report& report)
     report.warnings.push_back(std::to_string(left) + " faces of IN have no area, and cannot be contracted or flipped first");
 }
 
+void untangle_faces(Mesh& mesh, Report& report)
+{
+  const Intersecting_faces pairs = untangle(mesh);
+  if (pairs.number == 0)
+    return;
+  const std::string left = pairs.number_left == 0 ? "none" : std::to_string(pairs.number_left);
+  if (pairs.number_left < pairs.number)
+    report.notes.push_back(std::to_string(pairs.number) + " pairs of faces of IN intersect, " + left +
+                           " after CGAL's repair: " + std::to_string(pairs.number_of_new_points) +
+                           " points have moved, or are new");
+  else
+    report.warnings.push_back(std::to_string(pairs.number) +
+                              " pairs of faces of IN intersect, and CGAL's repair has not helped");
+}
+
 } // namespace
 
 Checked_mesh read_mesh(const Options& options, Report& report)
@@ -161,6 +177,8 @@ Checked_mesh read_mesh(const Options& options, Report& report)
     read_field(options, input);
   report.flat_faces = remove_flat_faces(input.mesh, tolerance_of_rounding(options, soup));
   tell_flat_faces(report);
+  if (options.repair)
+    untangle_faces(input.mesh, report);
   find_creases(input.mesh, options);
   return input;
 }
