@@ -255,7 +255,7 @@ check "not when it is quiet" run 0 $sphere w.off --faces 12 --quiet
 check "which is silent" [ ! -s stderr ]
 printf 'OFF\n8 12\n0 0 0\n0 0 1\n0 1 0\n0 1 1\n1 0 0\n1 0 1\n1 1 0\n1 1 1\n3 0 1 3\n3 0 3 2\n3 4 6 7\n3 4 7 5\n3 0 4 5\n3 0 5 1
 3 2 3 7\n3 2 7 6\n3 0 2 6\n3 0 6 4\n3 1 5 7\n3 1 7 3\n' >cube.off
-check "a cube without --sharp" run 0 cube.off w.off --faces 200 --smoothing 1 --json w.json
+check "a cube without --sharp" run 0 cube.off w.off --faces 200 --smoothing auto --json w.json
 check "has rounded edges" says "edges of IN that turn by 60 degrees or more are up to"
 check "and nothing to smooth, as it has few points" says "--smoothing has no effect: 1 of 1 patches of the function are answered by IN itself"
 check "both in the JSON" [ "$(grep -Ec 'turn by 60 degrees|smoothing has no effect' w.json)" -eq 2 ]
