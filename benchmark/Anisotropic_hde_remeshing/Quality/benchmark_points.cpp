@@ -17,8 +17,13 @@
 #include <CGAL/Rbf_implicit_function.h>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
+#include <CGAL/version.h>
+#if CGAL_VERSION_NR >= CGAL_VERSION_NUMBER(6, 0, 0)
+#  include <CGAL/AABB_traits_3.h>
+#else
+#  include <CGAL/AABB_traits.h>
+#endif
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/compute_normal.h>
@@ -111,7 +116,11 @@ Shape ellipsoid_shape(const std::size_t n)
 Shape mesh_shape(const std::string& file, const Mesh& mesh, const std::size_t n)
 {
   typedef CGAL::AABB_face_graph_triangle_primitive<Mesh> Primitive;
+#if CGAL_VERSION_NR >= CGAL_VERSION_NUMBER(6, 0, 0)
+  typedef CGAL::AABB_tree<CGAL::AABB_traits_3<Kernel, Primitive>> Tree;
+#else
   typedef CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> Tree;
+#endif
   Shape result;
   result.name = file.substr(file.rfind('/') + 1);
   std::mt19937 random(1);

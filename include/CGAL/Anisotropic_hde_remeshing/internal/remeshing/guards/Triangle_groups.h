@@ -113,9 +113,13 @@ private:
     Flags meeting(const Box& other) const
     {
       Flags result;
-      for (std::size_t k = 0; k < size_of_group; ++k) // without branches
-        result[k] = char((low[0][k] <= other.max()[0]) & (high[0][k] >= other.min()[0]) & (low[1][k] <= other.max()[1]) &
-                         (high[1][k] >= other.min()[1]) & (low[2][k] <= other.max()[2]) & (high[2][k] >= other.min()[2]));
+      result.fill(1);
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        const float least = other.min()[Eigen::Index(axis)], most = other.max()[Eigen::Index(axis)];
+        for (std::size_t k = 0; k < size_of_group; ++k) // without branches
+          result[k] = char(int(result[k]) & int(low[axis][k] <= most) & int(high[axis][k] >= least));
+      }
       return result;
     }
   };
