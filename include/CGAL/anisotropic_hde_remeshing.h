@@ -271,8 +271,8 @@ locations are in a map that it does not keep itself.
   \cgalParamNBegin{do_self_intersection_tests}
     \cgalParamDescription{whether operations are refused that would let more pairs of faces of `tmesh` intersect. Operations are
                           tested where two sheets of the input are as near to each other as the faces may be from the surface. In the
-                          end all faces are tested. If pairs have come where none were expected, the remeshing begins anew, and tests
-                          there, too. Without such places the tests cost a few per cent, where all of the mesh is such a place up to
+                          end all faces are tested. If pairs have come where none were expected, the remeshing begins anew, with its stages for the visitor, and
+                          tests there, too. Without such places the tests cost a few per cent, where all of the mesh is such a place up to
                           as much as the remeshing.}
     \cgalParamType{bool}
     \cgalParamDefault{`true`}

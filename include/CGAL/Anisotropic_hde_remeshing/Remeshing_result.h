@@ -82,13 +82,14 @@ struct Remeshing_result
   std::size_t number_of_target_faces = 0;
   std::size_t number_of_faces = 0;   ///< the faces that have replaced the remeshed ones; 0 if the mesh stays as it was
   std::size_t number_of_needles = 0; ///< of these, the faces with an aspect ratio of more than `needle_aspect_ratio`
-  /// pairs of faces of the input that intersect, alone or with faces that are not remeshed; 0 without `do_self_intersection_tests`
-  std::size_t number_of_self_intersections_before = 0;
-  /// the same of the result: no more than before. If the visitor stopped the remeshing, those of the input are told.
-  std::size_t number_of_self_intersections = 0;
   /// of these, the faces that share no edge with another one. Many of them, in a mesh that should be connected, are a sign of points
   /// that coincide and should be one.
   std::size_t number_of_lone_faces = 0;
+  /// pairs of faces of the input that intersect, alone or with faces that are not remeshed; 0 without `do_self_intersection_tests`
+  std::size_t number_of_self_intersections_before = 0;
+  /// the same of the result: no more than before, or `warnings()` tell. If the visitor stopped the remeshing, those of the input are
+  /// told.
+  std::size_t number_of_self_intersections = 0;
   /// whether the remeshing went by measured error, and took the faces for the long and exact facets of a CAD program
   bool has_long_facets = false;
   /// the patches of the function that the package has built, and those of them where the input itself answers: there parameters
@@ -129,14 +130,18 @@ struct Remeshing_result
     return difference > allowed || (difference < -allowed && !(approximation_error > 0));
   }
 
-  /// what a caller should know before using the mesh, a line for each: that the number of faces is missed, and that there are
-  /// needles. It is empty if all is well. The distance to the input is not known here, see `measure_distance()`.
+  /// what a caller should know before using the mesh, a line for each: that the number of faces is missed, that more faces intersect
+  /// than before, and that there are needles. It is empty if all is well. The distance to the input is not known here, see
+  /// `measure_distance()`.
   std::vector<std::string> warnings() const
   {
     std::vector<std::string> result;
     if (misses_number_of_faces())
       result.push_back("there are " + std::to_string(number_of_faces) + " faces, not about " +
                        std::to_string(number_of_target_faces) + " as asked for" + reason());
+    if (number_of_self_intersections > number_of_self_intersections_before)
+      result.push_back(std::to_string(number_of_self_intersections) + " pairs of faces intersect, " +
+                       std::to_string(number_of_self_intersections_before) + " did before");
     if (number_of_needles > 0)
       result.push_back(std::to_string(number_of_needles) + " of " + std::to_string(number_of_faces) +
                        " faces are needles, with an aspect ratio above " + std::to_string(int(needle_aspect_ratio)));

@@ -20,7 +20,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -100,7 +99,7 @@ public:
                           const std::size_t j = is_border(o, m_tmesh) ? 0 : get(m_index, face(o, m_tmesh));
                           if (j <= i + 1)
                             continue; // there is none, or the edge has its turn from the other side
-                          const double turn = angle(normal(i), normal(j - 1));
+                          const double turn = angle_between(normal(i), normal(j - 1));
                           if (turn < smallest_turn)
                             sets.union_set(i, j - 1);
                           else
@@ -124,8 +123,6 @@ private:
   {
     return (m_corners[i][1] - m_corners[i][0]).cross(m_corners[i][2] - m_corners[i][0]);
   }
-
-  static double angle(const Vector& m, const Vector& n) { return std::atan2(m.cross(n).norm(), m.dot(n)); }
 
   // the edge that two faces have in common
   void add_edge(const std::size_t i, const std::size_t j, const double turn, Lengths& lengths) const

@@ -26,6 +26,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <unordered_map>
 #include <unordered_set>
 #include <vector>
@@ -45,7 +46,7 @@ class Near_sheets
   // Distances of a mesh: over the heights expected at the place, over the root mean square of all heights, and over the length.
   static constexpr double share_of_height = 2, share_of_mean = 1.5, share_of_length = 0.05;
   static constexpr double largest_rounding = 1e-6;           // over the length: as near is the sheet of the point itself
-  static constexpr double largest_number_of_cells = 1 << 20; // along the diagonal
+  static constexpr double largest_number_of_cells = 1 << 12; // along the diagonal: a needle has no more points
 
 public:
   // every place
@@ -131,7 +132,7 @@ private:
         box.extend(p);
     const double diagonal = triangles.empty() ? 0 : box.diagonal().norm();
     m_low = triangles.empty() ? Vector::Zero() : box.min();
-    m_size = (std::max)(length, diagonal / largest_number_of_cells);
+    m_size = (std::max)({length, diagonal / largest_number_of_cells, (std::numeric_limits<double>::min)()});
     std::size_t number_of_grids = 1;
     while (std::ldexp(m_size, int(number_of_grids)) < diagonal)
       ++number_of_grids;
