@@ -12,11 +12,11 @@
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
 #include <Eigen/Core>
+#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
@@ -33,30 +33,12 @@ class Restricted_likelihood
 
 public:
   // Z^T A Z and Z^T f. The matrix is made tridiagonal once: then each lambda takes a sweep over its diagonals.
-  Restricted_likelihood(Dense_matrix matrix, Column data)
-    : m_diagonal(matrix.rows()), m_subdiagonal(Column::Zero(matrix.rows()))
+  Restricted_likelihood(const Dense_matrix& matrix, const Column& data)
   {
-    const Eigen::Index n = matrix.rows();
-    for (Eigen::Index k = 0; k < n; ++k)
-    {
-      m_diagonal[k] = matrix(k, k);
-      const Eigen::Index rest = n - k - 1;
-      if (rest == 0)
-        break;
-      Column v = matrix.col(k).tail(rest);
-      const double length = v.norm(), end = v[0] > 0 ? -length : length;
-      m_subdiagonal[k] = rest > 1 ? end : v[0];
-      if (rest == 1 || length == 0)
-        continue;
-      v[0] -= end;
-      v.normalize();
-      auto below = matrix.bottomRightCorner(rest, rest);
-      Column w = below.template selfadjointView<Eigen::Lower>() * v;
-      w = 2 * w - 2 * v.dot(w) * v;
-      below.template selfadjointView<Eigen::Lower>().rankUpdate(v, w, -1.);
-      data.tail(rest) -= 2 * v.dot(data.tail(rest)) * v;
-    }
-    m_data = std::move(data);
+    const Eigen::Tridiagonalization<Dense_matrix> tridiagonal(matrix);
+    m_diagonal = tridiagonal.diagonal();
+    m_subdiagonal = tridiagonal.subDiagonal();
+    m_data = tridiagonal.matrixQ().adjoint() * data;
   }
 
   // The most likely variance of the noise. It is 0 unless the data contradict that: twice the logarithm of the likelihood must grow
