@@ -190,7 +190,7 @@ locations are in a map that it does not keep itself.
                           coarsened if the measured error leads. If an error is
                           asked for, it is measured then, but the mesh is not refined.}
     \cgalParamType{an integer from 0 to 1,000,000}
-    \cgalParamDefault{10; by measured error 6, or 0 for more faces than there are, which are on the input after the splits}
+    \cgalParamDefault{10; by measured error 4, with an error that is asked for 6, or 0 for more faces than there are, which are on the input after the splits}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_relaxation_steps}
     \cgalParamDescription{how often an iteration smooths; not used by the scheme of the paper}

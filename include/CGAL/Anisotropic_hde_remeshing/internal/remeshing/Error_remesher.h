@@ -92,7 +92,8 @@ public:
     if (m_interruption.ask())
       return;
     report_progress(0);
-    const Reference_samples samples(m_input.points(), m_input.facets(), areas_around(new_vertices), number_of_samples());
+    Reference_samples samples(m_input.points(), m_input.facets(), areas_around(new_vertices), number_of_samples());
+    samples.template sort_by<ConcurrencyTag>([&](const Reference_sample& s) { return new_vertices[s.start]; });
     Owners owners(m_mesh, samples);
     owners.start([&](const Reference_sample& s) { return new_vertices[s.start]; });
     Tools tools(*this, owners);
@@ -110,9 +111,9 @@ public:
       m_number_of_rounds_done = round + 1;
       report_progress(double(round + 1) / m_number_of_rounds);
     }
-    flip_edges(tools);
     if (keeps_error())
     {
+      flip_edges(tools);
       refine(tools);
       m_statistics.number_of_collapses += tools.refine.number_of_collapses();
       m_statistics.number_of_splits += tools.refine.number_of_splits();

@@ -129,147 +129,221 @@ template <typename Function>
 constexpr bool has_values =
     !std::is_same<Function, No_function>::value && !std::is_same<Function, No_function_of_regions>::value;
 
-// loads the faces, remeshes them and stores them
+// Loads the faces, remeshes the copy and stores it.
+template <typename ConcurrencyTag, typename FaceRange, typename TriangleMesh, typename Function, typename NamedParameters,
+          typename CreaseMaps>
+class Faces_remesher
+{
+  typedef typename Embedding_with_sizes<NamedParameters>::type Embedding;
+  typedef Embedding_parameter<NamedParameters> Embedding_without_sizes;
+  typedef Working_mesh<typename Embedding::Vertex_data> Mesh;
+
+  static auto vertex_point_map(const NamedParameters& np, TriangleMesh& tmesh)
+  {
+    using parameters::choose_parameter;
+    using parameters::get_parameter;
+    return choose_parameter(get_parameter(np, internal_np::vertex_point), get_property_map(vertex_point, tmesh));
+  }
+  typedef decltype(vertex_point_map(std::declval<const NamedParameters&>(), std::declval<TriangleMesh&>())) Vertex_point_map;
+  typedef decltype(mesh_constraints<TriangleMesh>(std::declval<const NamedParameters&>(),
+                                                  std::declval<const CreaseMaps&>())) Constraints;
+
+public:
+  Faces_remesher(const FaceRange& faces, TriangleMesh& tmesh, const Function& function, const bool is_whole_mesh,
+                 const NamedParameters& np, const CreaseMaps& creases)
+    : m_faces(faces),
+      m_tmesh(tmesh),
+      m_function(function),
+      m_is_whole_mesh(is_whole_mesh),
+      m_np(np),
+      m_creases(creases),
+      m_vpm(vertex_point_map(np, tmesh)),
+      m_visitor(visitor_parameter(np, m_nobody)),
+      m_interruption([this] { return m_visitor.go_further(); }),
+      m_constraints(mesh_constraints<TriangleMesh>(np, creases))
+  {
+  }
+
+  Remeshing_result operator()()
+  {
+    try
+    {
+      load();
+      remesh_copy();
+    }
+    catch (const Interrupted&) // while it was loaded
+    {
+      m_result.was_stopped = true;
+      return m_result;
+    }
+    m_result.was_stopped = m_interruption.is_requested();
+    if (!m_result.was_stopped || m_result.number_of_iterations > 0) // otherwise some vertices may not be on the surface yet
+      store();
+    return m_result;
+  }
+
+private:
+  void load()
+  {
+    m_mesh = Mesh();
+    m_origin = load_mesh(m_tmesh, m_faces, m_vpm, m_constraints, m_interruption, m_mesh);
+    if constexpr (is_piecewise<Function>)
+      m_mesh.set_input_regions(regions_of_faces(m_origin, m_creases.face_region, number_of_pieces(m_function)));
+  }
+
+  // Remeshes the copy, and begins anew where its faces intersect afterwards.
+  void remesh_copy()
+  {
+    const Embedding_without_sizes embedding_without_sizes = embedding_parameter(m_np, m_origin.diagonal);
+    std::optional<Input_surface> input_with_sizes; // none if no sizes are asked for
+    const Embedding embedding = with_sizes(embedding_without_sizes, input_with_sizes).in_unit(m_origin.unit);
+    const double unit_of_lengths = embedding.unit_of_lengths(m_origin.unit);
+    read_parameters(embedding);
+    m_input.emplace(points_of(m_mesh), facets_of(m_mesh), m_origin.diagonal / m_origin.unit);
+    auto intersections = intersections_parameter(m_np, m_mesh, m_tmesh, m_vpm, m_origin, m_is_whole_mesh);
+    try
+    {
+      Remeshing_report report = remesh_once(embedding, intersections);
+      while (intersections.template learns_from_pairs<ConcurrencyTag>(m_interruption))
+      {
+        load();
+        split();
+        report = remesh_once(embedding, intersections);
+      }
+      write_report(report, m_origin.unit, unit_of_lengths, m_result);
+    }
+    catch (const Too_many_faces& too_many)
+    {
+      throw_too_many_faces<NamedParameters>(too_many, unit_of_lengths);
+    }
+    if constexpr (std::is_same<Embedding_without_sizes, Normal_embedding>::value)
+      if (!is_by_error())
+        m_result.sigma = embedding_without_sizes.sigma();
+    m_result.number_of_self_intersections_before = intersections.number_of_pairs_before();
+    m_result.number_of_self_intersections = intersections.number_of_pairs();
+  }
+
+  Embedding with_sizes(const Embedding_without_sizes& embedding, std::optional<Input_surface>& input) const
+  {
+    if constexpr (is_given<NamedParameters, internal_np::sizing_field_t>)
+    {
+      input.emplace(points_of(m_mesh), m_origin.facets, m_origin.diagonal / m_origin.unit);
+      return embedding_with_sizes(embedding, sizing_field_parameter<Value_of_map<Vertex_point_map, Vertex_of<TriangleMesh>>>(
+                                                 m_np, m_tmesh, m_origin.vertices, *input, m_origin.unit));
+    }
+    else
+      return embedding;
+  }
+
+  bool is_by_error() const { return m_parameters.scheme == Remeshing_scheme::MEASURED_ERROR; }
+
+  void read_parameters(const Embedding& embedding)
+  {
+    m_parameters = remeshing_parameters(m_np, embedding, m_origin.diagonal, m_origin.unit, m_mesh.number_of_faces());
+    if (is_by_error())
+      m_parameters.has_long_facets = has_long_facets(m_faces, m_tmesh, m_vpm);
+    m_is_split =
+        is_by_error() && !(m_parameters.error > 0) && m_parameters.target.number_of_faces() > double(m_mesh.number_of_faces());
+    split();
+    if constexpr (!is_given<NamedParameters, internal_np::number_of_iterations_t>)
+      if (m_is_split)
+        m_parameters.number_of_iterations = 0; // it cannot come nearer to the input
+  }
+
+  // into as many faces as are asked for, if these are more than there are
+  void split()
+  {
+    if (m_is_split)
+      split_faces(m_mesh, m_parameters.target.number_of_faces(), m_interruption);
+  }
+
+  Remeshing_report remesh_once(const Embedding& embedding, Mesh_intersections<Mesh>& intersections)
+  {
+    const Visitor_reference listener(m_visitor, m_interruption);
+    Remeshing_report report;
+    if (is_by_error())
+    {
+      if constexpr (std::is_same<Embedding, Normal_embedding>::value &&
+                    is_given<NamedParameters, internal_np::remeshing_scheme_t>)
+        report =
+            remesh_by_error<ConcurrencyTag>(m_mesh, is_piecewise<Function>, *m_input, intersections, m_parameters, listener);
+      report.number_of_regions = number_of_pieces(m_function);
+    }
+    else if constexpr (has_values<Function>)
+      report = remesh<ConcurrencyTag>(m_mesh, embedding, Surface_function(m_function, m_origin.unit), *m_input, intersections,
+                                      m_parameters, listener);
+    return report;
+  }
+
+  void store()
+  {
+    Real_timer timer;
+    timer.start();
+    m_visitor.stage_started(Stage::OUTPUT);
+    write_counts();
+    const bool is_all_replaced = m_is_whole_mesh && !is_constrained<NamedParameters>;
+    std::vector<Input_location> locations;
+    Located_vertices<TriangleMesh> rest;
+    if constexpr (is_given<NamedParameters, internal_np::vertex_location_map_t>)
+    {
+      locations = locations_of_vertices();
+      if (!is_all_replaced)
+        rest = locations_of_rest(m_tmesh, m_origin.vertices);
+    }
+    if (is_all_replaced)
+      m_result.number_of_isolated_vertices = m_origin.number_of_isolated_vertices;
+    const auto location_map = parameters::get_parameter(m_np, internal_np::vertex_location_map);
+    Mesh_storer<ConcurrencyTag, Mesh, TriangleMesh, Vertex_point_map, Constraints, std::decay_t<decltype(location_map)>> store(
+        m_mesh, m_origin, m_tmesh, m_vpm, m_constraints, location_map, locations, rest);
+    store(is_all_replaced);
+    m_result.output_seconds = timer.time();
+  }
+
+  void write_counts()
+  {
+    const Target_length& target = m_parameters.target;
+    if (!target.is_length_given() && target.number_of_faces() < double(largest_number_of_faces))
+      m_result.number_of_target_faces = std::size_t(target.number_of_faces());
+    m_result.number_of_faces = m_mesh.number_of_faces();
+    m_result.number_of_needles = number_of_needles(m_mesh);
+    m_result.number_of_lone_faces = number_of_lone_faces(m_mesh);
+    m_result.has_long_facets = m_parameters.has_long_facets;
+  }
+
+  // on the faces of the caller, without the vertices that were added to them
+  std::vector<Input_location> locations_of_vertices() const
+  {
+    std::vector<Vector> points(m_input->points().begin(), m_input->points().begin() + std::ptrdiff_t(m_origin.vertices.size()));
+    const Input_surface of_caller(std::move(points), m_origin.facets, m_input->diagonal());
+    return locations_on_input<ConcurrencyTag>(m_mesh, of_caller, m_origin);
+  }
+
+  const FaceRange& m_faces;
+  TriangleMesh& m_tmesh;
+  const Function& m_function;
+  const bool m_is_whole_mesh;
+  const NamedParameters& m_np;
+  const CreaseMaps& m_creases;
+  const Vertex_point_map m_vpm;
+  Remeshing_visitor m_nobody;
+  Visitor_parameter<NamedParameters> m_visitor;
+  Interruption m_interruption;
+  const Constraints m_constraints;
+  Mesh m_mesh;
+  Mesh_origin<TriangleMesh> m_origin;
+  Remeshing_parameters m_parameters;
+  bool m_is_split = false; // into more faces before all else
+  std::optional<Input_surface> m_input;
+  Remeshing_result m_result;
+};
+
 template <typename ConcurrencyTag, typename FaceRange, typename TriangleMesh, typename Function, typename NamedParameters,
           typename CreaseMaps>
 Remeshing_result remesh_faces(const FaceRange& faces, TriangleMesh& tmesh, const Function& function, const bool is_whole_mesh,
                               const NamedParameters& np, const CreaseMaps& creases)
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point), get_property_map(vertex_point, tmesh));
-  Remeshing_visitor nobody;
-  Visitor_parameter<NamedParameters> visitor = visitor_parameter(np, nobody);
-  Interruption interruption([&visitor] { return visitor.go_further(); });
-  const auto constraints = mesh_constraints<TriangleMesh>(np, creases);
-
-  typedef typename Embedding_with_sizes<NamedParameters>::type Embedding;
-  typedef Working_mesh<typename Embedding::Vertex_data> Mesh;
-  Remeshing_result result;
-  Mesh mesh;
-  Mesh_origin<TriangleMesh> origin;
-  const auto load = [&]
-  {
-    mesh = Mesh();
-    origin = load_mesh(tmesh, faces, vpm, constraints, interruption, mesh);
-    if constexpr (is_piecewise<Function>)
-      mesh.set_input_regions(regions_of_faces(origin, creases.face_region, number_of_pieces(function)));
-  };
-  try
-  {
-    load();
-  }
-  catch (const Interrupted&)
-  {
-    result.was_stopped = true;
-    return result;
-  }
-  const auto embedding_without_sizes = embedding_parameter(np, origin.diagonal);
-  std::optional<Input_surface> input_with_sizes; // none if no sizes are asked for
-  const Embedding embedding = [&]
-  {
-    if constexpr (is_given<NamedParameters, internal_np::sizing_field_t>)
-    {
-      input_with_sizes.emplace(points_of(mesh), origin.facets, origin.diagonal / origin.unit);
-      return embedding_with_sizes(embedding_without_sizes,
-                                  sizing_field_parameter<Value_of_map<decltype(vpm), Vertex_of<TriangleMesh>>>(
-                                      np, tmesh, origin.vertices, *input_with_sizes, origin.unit));
-    }
-    else
-      return embedding_without_sizes;
-  }();
-  const Embedding embedding_in_unit = embedding.in_unit(origin.unit);
-  const double unit_of_lengths = embedding_in_unit.unit_of_lengths(origin.unit);
-  Remeshing_parameters parameters =
-      remeshing_parameters(np, embedding_in_unit, origin.diagonal, origin.unit, mesh.number_of_faces());
-  if (parameters.scheme == Remeshing_scheme::MEASURED_ERROR)
-    parameters.has_long_facets = has_long_facets(faces, tmesh, vpm);
-  const bool is_split = parameters.scheme == Remeshing_scheme::MEASURED_ERROR && !(parameters.error > 0) &&
-                        parameters.target.number_of_faces() > double(mesh.number_of_faces());
-  if (is_split)
-  {
-    split_faces(mesh, parameters.target.number_of_faces(), interruption);
-    if constexpr (!is_given<NamedParameters, internal_np::number_of_iterations_t>)
-      parameters.number_of_iterations = 0; // it cannot come nearer to the input
-  }
-  const Input_surface input(points_of(mesh), facets_of(mesh), origin.diagonal / origin.unit);
-  auto intersections = intersections_parameter(np, mesh, tmesh, vpm, origin, is_whole_mesh);
-  const Visitor_reference listener(visitor, interruption);
-  const auto remesh_copy = [&]
-  {
-    Remeshing_report report;
-    if (parameters.scheme == Remeshing_scheme::MEASURED_ERROR)
-    {
-      if constexpr (std::is_same<Embedding, Normal_embedding>::value &&
-                    is_given<NamedParameters, internal_np::remeshing_scheme_t>)
-        report = remesh_by_error<ConcurrencyTag>(mesh, is_piecewise<Function>, input, intersections, parameters, listener);
-      report.number_of_regions = number_of_pieces(function);
-    }
-    else if constexpr (has_values<Function>)
-      report = remesh<ConcurrencyTag>(mesh, embedding_in_unit, Surface_function(function, origin.unit), input, intersections,
-                                      parameters, listener);
-    return report;
-  };
-  try
-  {
-    Remeshing_report report = remesh_copy();
-    while (intersections.template learns_from_pairs<ConcurrencyTag>(interruption))
-    {
-      load();
-      if (is_split)
-        split_faces(mesh, parameters.target.number_of_faces(), interruption);
-      report = remesh_copy();
-    }
-    write_report(report, origin.unit, unit_of_lengths, result);
-  }
-  catch (const Interrupted&) // while it was loaded again
-  {
-    result.was_stopped = true;
-    return result;
-  }
-  catch (const Too_many_faces& too_many)
-  {
-    throw_too_many_faces<NamedParameters>(too_many, unit_of_lengths);
-  }
-  if constexpr (std::is_same<Embedding_parameter<NamedParameters>, Normal_embedding>::value)
-    if (parameters.scheme != Remeshing_scheme::MEASURED_ERROR)
-      result.sigma = embedding_without_sizes.sigma();
-  result.was_stopped = interruption.is_requested();
-  if (result.was_stopped && result.number_of_iterations == 0)
-    return result; // some vertices may not be on the surface yet
-
-  Real_timer timer;
-  timer.start();
-  visitor.stage_started(Stage::OUTPUT);
-  if (!parameters.target.is_length_given() && parameters.target.number_of_faces() < double(largest_number_of_faces))
-    result.number_of_target_faces = std::size_t(parameters.target.number_of_faces());
-  result.number_of_faces = mesh.number_of_faces();
-  result.number_of_needles = number_of_needles(mesh);
-  result.number_of_self_intersections_before = intersections.number_of_pairs_before();
-  result.number_of_self_intersections = intersections.number_of_pairs();
-  result.number_of_lone_faces = number_of_lone_faces(mesh);
-  result.has_long_facets = parameters.has_long_facets;
-  const bool is_all_replaced = is_whole_mesh && !is_constrained<NamedParameters>;
-  std::vector<Input_location> locations;
-  Located_vertices<TriangleMesh> rest;
-  if constexpr (is_given<NamedParameters, internal_np::vertex_location_map_t>)
-  {
-    // without the vertices that were added to it
-    std::vector<Vector> points(input.points().begin(), input.points().begin() + std::ptrdiff_t(origin.vertices.size()));
-    const Input_surface of_caller(std::move(points), origin.facets, input.diagonal());
-    locations = locations_on_input<ConcurrencyTag>(mesh, of_caller, origin);
-    if (!is_all_replaced)
-      rest = locations_of_rest(tmesh, origin.vertices);
-  }
-  if (is_all_replaced)
-    result.number_of_isolated_vertices = origin.number_of_isolated_vertices;
-  const auto location_map = get_parameter(np, internal_np::vertex_location_map);
-  Mesh_storer<ConcurrencyTag, Mesh, TriangleMesh, decltype(vpm), std::decay_t<decltype(constraints)>,
-              std::decay_t<decltype(location_map)>>
-      store(mesh, origin, tmesh, vpm, constraints, location_map, locations, rest);
-  store(is_all_replaced);
-  result.output_seconds = timer.time();
-  return result;
+  return Faces_remesher<ConcurrencyTag, FaceRange, TriangleMesh, Function, NamedParameters, CreaseMaps>(
+      faces, tmesh, function, is_whole_mesh, np, creases)();
 }
 
 } // namespace internal

@@ -87,8 +87,6 @@ Remeshing_parameters iteration_parameters(const NamedParameters& np)
     result.split_ratio = 1.5;
     result.smoothing_ratio = 0.3;
   }
-  if (result.scheme == Remeshing_scheme::MEASURED_ERROR)
-    result.number_of_iterations = 6;
   if constexpr (is_given<NamedParameters, internal_np::number_of_iterations_t>)
     result.number_of_iterations =
         checked_repetitions("number_of_iterations", get_parameter(np, internal_np::number_of_iterations));
@@ -245,11 +243,10 @@ Remeshing_parameters remeshing_parameters(const NamedParameters& np, const Embed
   const bool has_measured_error = std::is_same<Embedding, Normal_embedding>::value &&
                                   (result.error > 0 || is_given<NamedParameters, internal_np::number_of_target_faces_t>);
   if (result.scheme == Remeshing_scheme::MEASURED_ERROR && !has_measured_error)
-  {
     result.scheme = Remeshing_scheme::EMBEDDING;
-    if constexpr (!is_given<NamedParameters, internal_np::number_of_iterations_t>)
-      result.number_of_iterations = Remeshing_parameters().number_of_iterations;
-  }
+  if constexpr (!is_given<NamedParameters, internal_np::number_of_iterations_t>)
+    if (result.scheme == Remeshing_scheme::MEASURED_ERROR)
+      result.number_of_iterations = result.error > 0 ? 6 : 4; // where an error is kept, more of them save faces
   return result;
 }
 

@@ -40,7 +40,7 @@ class Error_fitter
 {
   typedef Sample_owners<ConcurrencyTag, Mesh> Owners;
 
-  static constexpr double tangential_weight = 0.1;
+  static constexpr double tangential_weight = 0.02;
   static constexpr double damping = 1e-3; // of the mean of the diagonal
   static constexpr double least_weight = 0.05, largest_weight = 200;
   static constexpr int maximum_number_of_steps = 12; // of conjugate gradients

@@ -13,12 +13,14 @@
 
 #include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Closest_facet.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Vector.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parallel/parallel.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -69,6 +71,21 @@ public:
     find_largest_parts(points, facets, areas, smallest_number);
     if (m_area > 0)
       add_samples(points, facets);
+  }
+
+  // Puts samples with near keys next to each other: samples that are used together are read together then.
+  template <typename ConcurrencyTag, typename KeyOf>
+  void sort_by(const KeyOf& key_of)
+  {
+    std::vector<std::pair<std::size_t, std::size_t>> order(m_samples.size());
+    for (std::size_t i = 0; i < order.size(); ++i)
+      order[i] = {std::size_t(key_of(m_samples[i])), i};
+    parallel_sort<ConcurrencyTag>(order);
+    std::vector<Reference_sample> sorted;
+    sorted.reserve(m_samples.size());
+    for (const auto& entry : order)
+      sorted.push_back(m_samples[entry.second]);
+    m_samples = std::move(sorted);
   }
 
   std::size_t size() const { return m_samples.size(); }
