@@ -14,6 +14,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Vector.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/geometry/closest_on_triangle.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/parallel.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/Cell_set.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/Indexed_triangle.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/Triangle_groups.h>
 
@@ -28,7 +29,6 @@
 #include <cstdint>
 #include <limits>
 #include <unordered_map>
-#include <unordered_set>
 #include <vector>
 
 namespace CGAL {
@@ -95,7 +95,7 @@ public:
     for (c[0] = first[0]; c[0] <= last[0]; ++c[0])
       for (c[1] = first[1]; c[1] <= last[1]; ++c[1])
         for (c[2] = first[2]; c[2] <= last[2]; ++c[2])
-          if (m_near[level].count(key(c)) > 0)
+          if (m_near[level].contains(key(c)))
             return true;
     return false;
   }
@@ -115,15 +115,6 @@ private:
     Vector point, normal;
     double height;
   };
-  struct Hash
-  {
-    std::size_t operator()(std::uint64_t x) const
-    {
-      x = (x ^ (x >> 31)) * 0x9E3779B97F4A7C15u;
-      return std::size_t(x ^ (x >> 29));
-    }
-  };
-
   void set_grids(const std::vector<Indexed_triangle>& triangles, const double length)
   {
     Eigen::AlignedBox3d box;
@@ -154,7 +145,7 @@ private:
   // in each cell the point where the surface rises most
   std::vector<Sample> highest_samples(const std::vector<Indexed_triangle>& triangles, const std::vector<double>& heights) const
   {
-    std::unordered_map<std::uint64_t, std::size_t, Hash> indices;
+    std::unordered_map<std::uint64_t, std::size_t, Hash_of_cell> indices;
     std::vector<Sample> samples;
     for (std::size_t i = 0; i < triangles.size(); ++i)
     {
@@ -249,8 +240,8 @@ private:
   }
 
   Vector m_low = Vector::Zero();
-  double m_size = 0; // of the smallest cells; those of each further grid are twice as large
-  std::vector<std::unordered_set<std::uint64_t, Hash>> m_near; // by grid; no grid: every place
+  double m_size = 0;            // of the smallest cells; those of each further grid are twice as large
+  std::vector<Cell_set> m_near; // by grid; no grid: every place
 };
 
 } // namespace internal

@@ -296,9 +296,8 @@ private:
       const double cosine = n.dot(normal) / length_n;
       if (cosine < smallest_cosine && cosine < m.dot(normal) / length_m)
         return false;
-      const double ratio_before = before.ratio(), ratio = after.ratio();
-      if (ratio > ratio_before &&
-          ratio > (std::max)(m_price.free_ratio(), (std::min)(m_price.largest_ratio(), 1.1 * ratio_before)))
+      const double ratio = after.ratio();
+      if (ratio > m_price.free_ratio() && !may_have_ratio(ratio, before.ratio()))
         return false;
     }
     if (m_owners.bounds_distance() && !stays_within_distance(v, point))
@@ -306,6 +305,11 @@ private:
     m_moved = m_mesh.point(v);
     m_moved.point = point;
     return m_guard.accepts(change_of_move(m_mesh, v, m_moved));
+  }
+
+  bool may_have_ratio(const double ratio, const double before) const
+  {
+    return ratio <= before || ratio <= (std::min)(m_price.largest_ratio(), 1.1 * before);
   }
 
   // Around the vertex no distance may become larger than the largest that is allowed; if one is already, all must cost less.
