@@ -162,7 +162,7 @@ public:
   \param tmesh the mesh, whose isolated vertices are ignored
   \param face_region the regions of the faces, numbered from 0 on without a gap
   \param np optional named parameters among the ones below, and those of the constructor of `Rbf_implicit_function` for a mesh.
-         Only `vertex_normal_map` is not used: a vertex at a crease has several normals.
+         Only `vertex_normal_map` and `close_holes` are not used: a vertex at a crease has several normals, and regions end there.
 
   \cgalNamedParamsBegin
     \cgalParamNBegin{vertex_point_map}

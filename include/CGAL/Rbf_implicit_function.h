@@ -19,6 +19,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Vector.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Patchwise_interpolant.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Surface_sample.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Unbounded_interpolant.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/input_of_function.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/interpolation_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Interruption.h>
@@ -32,7 +33,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <memory>
 #include <stdexcept>
 #include <type_traits>
@@ -84,6 +84,13 @@ agree on about the opposite one, and dropped if it is more than 60 degrees off t
 of shapes with detail as fine as the spacing, up to 1 in 200 points was lost. More than a tenth of the points are never taken
 for outliers, nor more than a tenth of the normals for wrong ones.
 
+<b>Holes.</b> Where data are missing over more than about six spacings, or a mesh has a boundary, the function is closed: it is positive
+on the `bounding_sphere()` and beyond, so the zero set is bounded. Within a spacing or two of the data, and wherever they are nearer than
+half the distance to the rim of a hole, nothing is changed. Further away the function passes to a smooth one from a few hundred well-spread
+points, so the surface goes on smoothly from the rims. Around the whole it is positive, and negative where most directions look at the
+inside of the surface. `distance_to_data()` tells how far a place is from the data. Data without a hole are not touched.
+See `close_holes`. The time of an evaluation grows by 3 to 6 microseconds.
+
 <b>Near and far.</b> From 2.5 to 3.5 local spacings away from the points the function passes to the signed distance to the input
 itself: to the facets of a mesh, or to the tangent planes of the nearest points. Interpolants would only extrapolate there, and
 might vanish where there is no surface. So the sign is right everywhere for a closed mesh that does not intersect itself, and
@@ -115,6 +122,7 @@ template <typename GeomTraits, typename RadialFunction = Polyharmonic_rbf, typen
 class Rbf_implicit_function
 {
   typedef Anisotropic_hde_remeshing::internal::Patchwise_interpolant<RadialFunction, ConcurrencyTag> Interpolant;
+  typedef Anisotropic_hde_remeshing::internal::Unbounded_interpolant<Interpolant> Unbounded_interpolant;
   typedef Anisotropic_hde_remeshing::internal::Surface_sample Surface_sample;
   template <int order>
   using Jet = Anisotropic_hde_remeshing::internal::Jet<order>;
@@ -206,6 +214,12 @@ public:
       \cgalParamType{Boolean}
       \cgalParamDefault{`false`}
     \cgalParamNEnd
+    \cgalParamNBegin{close_holes}
+      \cgalParamDescription{whether the function is closed where data are missing. If it is not, it goes on along the last tangent
+                            planes, and the zero set may have no end.}
+      \cgalParamType{Boolean}
+      \cgalParamDefault{`true`}
+    \cgalParamNEnd
     \cgalParamNBegin{radial_function}
       \cgalParamDescription{the object of type `RadialFunction`}
       \cgalParamDefault{`RadialFunction()`}
@@ -280,22 +294,30 @@ public:
   {
     const Eigen::Vector3d point = Anisotropic_hde_remeshing::internal::to_vector(p);
     check_finite(point);
-    return m_interpolant->tree().leaf_at(m_normalization(point));
+    return m_interpolant->interpolant().tree().leaf_at(m_normalization(point));
   }
 
-  /// a sphere that contains the zero set near the points
+  /// the distance from `p` to the nearest point that was given, in the unit of the coordinates: how far the function only guesses. One may
+  /// trim by it. The first call builds a tree of the points.
+  FT distance_to_data(const Point_3& p) const
+  {
+    const Eigen::Vector3d point = Anisotropic_hde_remeshing::internal::to_vector(p);
+    check_finite(point);
+    return FT(m_interpolant->distance_to_data(m_normalization(point)) / m_normalization.scale);
+  }
+
+  /// a sphere that contains the zero set; without `close_holes`, only near the points
   Sphere_3 bounding_sphere() const
   {
     const Eigen::Vector3d& c = m_normalization.centre;
-    return Sphere_3(Point_3(FT(c[0]), FT(c[1]), FT(c[2])), FT(m_squared_radius));
+    const double radius = m_interpolant->radius() / m_normalization.scale;
+    return Sphere_3(Point_3(FT(c[0]), FT(c[1]), FT(c[2])), FT(radius * radius));
   }
 
   /// what the construction did
   const Anisotropic_hde_remeshing::Rbf_diagnostics& diagnostics() const { return *m_diagnostics; }
 
 private:
-  static constexpr double reach = 1e6; // the interpolant is evaluated up to here, in the size of the points
-
   template <typename MeshOrPointRange, typename NamedParameters>
   void build(const MeshOrPointRange& input, const NamedParameters& np)
   {
@@ -315,12 +337,15 @@ private:
         internal::sample_input<ConcurrencyTag>(input, np, interpolation, interruption);
     interruption.report(internal::share_of_sample);
     m_normalization = sample->normalization;
-    m_squared_radius = squared_radius(*sample);
     interpolation.absolute_offset *= m_normalization.scale;
     const double input_seconds = timer.time();
-    m_interpolant = std::make_shared<const Interpolant>(sample, internal::distance_to_input<MeshOrPointRange>(sample),
-                                                        interpolation, function, m_normalization.scale, interruption);
-    m_diagnostics = complete(m_interpolant->diagnostics(), m_interpolant->sample(), input_seconds,
+    const auto interpolant = std::make_shared<Unbounded_interpolant>(
+        std::make_unique<const Interpolant>(sample, internal::distance_to_input<MeshOrPointRange>(sample), interpolation,
+                                            function, m_normalization.scale, interruption));
+    if (interpolation.closes_holes)
+      interpolant->close_holes(ConcurrencyTag(), interruption);
+    m_interpolant = interpolant;
+    m_diagnostics = complete(m_interpolant->interpolant().diagnostics(), m_interpolant->interpolant().sample(), input_seconds,
                              interpolation.noise / m_normalization.scale);
     interruption.report(1);
   }
@@ -330,23 +355,9 @@ private:
   {
     const Eigen::Vector3d point = Anisotropic_hde_remeshing::internal::to_vector(p);
     const Eigen::Vector3d normalized = m_normalization(point);
-    if (!(normalized.squaredNorm() <= reach * reach))
-      return evaluate_far<order>(point, normalized);
+    if (!std::isfinite(normalized.squaredNorm()))
+      check_finite(point);
     return m_interpolant->template evaluate<order>(normalized);
-  }
-
-  // Beyond its reach the function has its value at the end of the reach in the same direction, plus the way from there. The
-  // distances to single facets differ too little out there, and in the end the squares of coordinates overflow.
-  template <int order>
-  Jet<order> evaluate_far(const Eigen::Vector3d& point, const Eigen::Vector3d& normalized) const
-  {
-    check_finite(point);
-    const double largest = (std::numeric_limits<double>::max)() / 2;
-    const Eigen::Vector3d way = normalized.cwiseMin(largest).cwiseMax(-largest);
-    const double length = way.stableNorm();
-    Jet<order> result = m_interpolant->template evaluate<order>(reach / length * way);
-    result.value += std::copysign(length - reach, result.value);
-    return result;
   }
 
   static void check_finite(const Eigen::Vector3d& point)
@@ -357,21 +368,13 @@ private:
 
   static Vector_3 to_vector_3(const Eigen::Vector3d& v) { return Vector_3(FT(v[0]), FT(v[1]), FT(v[2])); }
 
-  // of a normalised sample
-  double squared_radius(const Surface_sample& sample) const
-  {
-    Eigen::Vector3d half_box = Eigen::Vector3d::Zero();
-    for (const Eigen::Vector3d& p : sample.points)
-      half_box = half_box.cwiseMax(p.cwiseAbs());
-    const double radius = 1.1 * half_box.norm() / m_normalization.scale; // the zero set bulges between the points
-    return radius * radius;
-  }
-
   std::shared_ptr<const Anisotropic_hde_remeshing::Rbf_diagnostics>
   complete(Anisotropic_hde_remeshing::Rbf_diagnostics diagnostics, const Surface_sample& sample, const double input_seconds,
            const double noise) const
   {
     diagnostics.noise = noise;
+    diagnostics.number_of_holes = m_interpolant->number_of_holes();
+    diagnostics.memory_bytes += m_interpolant->memory_bytes();
     diagnostics.number_of_points = sample.size();
     diagnostics.number_of_points_on_facets = sample.number_of_points_on_facets;
     diagnostics.number_of_points_on_edges =
@@ -387,10 +390,9 @@ private:
     return std::make_shared<const Anisotropic_hde_remeshing::Rbf_diagnostics>(diagnostics);
   }
 
-  std::shared_ptr<const Interpolant> m_interpolant;
+  std::shared_ptr<const Unbounded_interpolant> m_interpolant;
   std::shared_ptr<const Anisotropic_hde_remeshing::Rbf_diagnostics> m_diagnostics;
   Anisotropic_hde_remeshing::internal::Normalization m_normalization;
-  double m_squared_radius = 0;
 };
 
 } // namespace CGAL

@@ -7,12 +7,13 @@
 // Author(s)     : The Anisotropic_hde_remeshing developers
 
 // What `Rbf_implicit_function` makes of points as scanners deliver them: of an ellipsoid 1:2:5, and of meshes, whose facets are the
-// truth. Prints two tables; see scripts/benchmark_points.sh. Usage: benchmark_points NUMBER_OF_POINTS [MESH...]
+// truth. Prints three tables; see scripts/benchmark_points.sh. Usage: benchmark_points NUMBER_OF_POINTS [MESH...]
 
 #include "Table.h"
 #include "exact_surfaces.h"
 #include "seconds_of.h"
 #include "shapes.h"
+#include "zero_set_on_grid.h"
 
 #include <CGAL/Rbf_implicit_function.h>
 
@@ -286,6 +287,36 @@ void add_rows_of_outliers(Table& table, const Shape& shape)
     }
 }
 
+// without the share of the points that is the farthest along an axis
+Points without_cap(Points points, const int axis, const double share)
+{
+  std::sort(points.begin(), points.end(), [&](const auto& p, const auto& q) { return p.first[axis] < q.first[axis]; });
+  points.resize(points.size() - std::size_t(share * double(points.size())));
+  return points;
+}
+
+// how the zero set is closed: its parts, and its distance to the shape over the diagonal
+void add_rows_of_holes(Table& table, const Shape& shape)
+{
+  static constexpr int resolution = 60;
+  for (const double share : {0., 0.1, 0.5})
+    for (int axis = 0; axis < (share > 0 ? 3 : 1); ++axis)
+    {
+      const Points points = without_cap(shape.clean, axis, share);
+      std::unique_ptr<Function> f;
+      const double seconds = seconds_of([&] { f = std::make_unique<Function>(points); });
+      const Zero_set_on_grid zeros = zero_set_on_grid(*f, resolution);
+      double largest = 0, farthest = 0;
+      for (const Point_3& p : zeros.points)
+      {
+        largest = (std::max)(largest, std::abs(shape.distance(p)));
+        farthest = (std::max)(farthest, CGAL::squared_distance(p, f->bounding_sphere().center()));
+      }
+      table.add(shape.name, share, axis, f->diagnostics().number_of_holes, zeros.negative_parts, zeros.other_parts,
+                largest / shape.diagonal, std::sqrt(farthest / f->bounding_sphere().squared_radius()), seconds);
+    }
+}
+
 void add_rows(Table& table, const Shape& shape)
 {
   struct Defect
@@ -319,10 +350,15 @@ int main(int argc, char** argv)
   Table outliers(
       "the same with 2% outliers in the bounding box, or 2% of the normals turned: detect_outliers, points and normals found");
   outliers.add("shape", "points", "detected", "outliers", "wrong normals", "rms", "components");
+  Table holes("the same without the points that are the farthest along an axis: holes found, parts inside and outside, "
+              "distance of the zero "
+              "set to the shape over the diagonal, and its distance from the centre of the bounding sphere over the radius");
+  holes.add("shape", "missing", "axis", "holes", "inside", "outside", "largest", "reach", "s");
   const auto add_all = [&](const Shape& shape)
   {
     add_rows(table, shape);
     add_rows_of_outliers(outliers, shape);
+    add_rows_of_holes(holes, shape);
   };
   add_all(ellipsoid_shape(n));
   for (int i = 2; i < argc; ++i)
@@ -337,5 +373,6 @@ int main(int argc, char** argv)
   }
   table.print();
   outliers.print();
+  holes.print();
   return 0;
 }

@@ -65,7 +65,8 @@ Built_function build_with(const Mesh& mesh, const Options& o)
                       .smoothing(o.automatic_smoothing ? CGAL::Anisotropic_hde_remeshing::AUTOMATIC_SMOOTHING
                                                        : CGAL::Anisotropic_hde_remeshing::Smoothing(o.smoothing.value_or(0)))
                       .points_on_facets(!o.vertices_only)
-                      .detect_edges(!o.smooth_edges);
+                      .detect_edges(!o.smooth_edges)
+                      .close_holes(false); // remeshing does not leave the input
   // how many points there will be, and with them patches, is not known here
   const auto with_patches = [&](const auto& others)
   {

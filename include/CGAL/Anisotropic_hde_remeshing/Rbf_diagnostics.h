@@ -32,6 +32,7 @@ struct Rbf_diagnostics
   std::size_t number_of_wrong_normals = 0;         ///< normals that all neighbours contradict, turned or dropped
   std::size_t number_of_points_without_normal = 0; ///< with a zero or cancelled normal: no off-surface points
   std::size_t number_of_shortened_offsets = 0;     ///< off-surface points set nearer or left out, as another sheet is close
+  std::size_t number_of_holes = 0;                 ///< holes wider than six spacings, closed; 0 with `close_holes(false)`
   double noise =
       0; ///< the standard deviation of the noise of the points, `smoothing` or its estimate, in the unit of the coordinates
   /// @}

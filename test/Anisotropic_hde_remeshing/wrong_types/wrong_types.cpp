@@ -148,6 +148,7 @@ void functions()
   Function k(std::vector<Point_3>(), point_map(1)); // the named parameter point_map takes a property map from the elements of the range to points
   Function l(std::vector<Point_3>(), point_map(CGAL::Identity_property_map<Point_3>()).normal_map(1)); // the named parameter normal_map takes a property map from the elements of the range to vectors
   Function s(std::vector<std::pair<Point_3, Kernel::Vector_3>>(), detect_outliers("yes")); // the named parameter detect_outliers takes a Boolean
+  Function t(mesh, close_holes("yes")); // the named parameter close_holes takes a Boolean
   Function m(std::vector<Point_3>{}); // a range of points needs point_map and normal_map, unless its elements are pairs
   Function n(3); // the implicit function is built from a model of FaceListGraph or from a range of points with normals
   CGAL::Rbf_implicit_function<Kernel, Without_second_derivative>(mesh).hessian(CGAL::ORIGIN); // second derivatives of the function need a radial function that returns them

@@ -73,6 +73,9 @@ struct Surface_sample
   std::size_t number_of_outliers = 0;      // removed
   std::size_t number_of_wrong_normals = 0; // turned or dropped
   std::size_t number_of_points_on_facets = 0;
+  std::vector<std::size_t> rim;       // points at holes
+  std::vector<std::size_t> open_ends; // the same and points at edges where the surface might end, too
+  std::size_t number_of_holes = 0, number_of_open_ends = 0;
 
   std::size_t size() const { return points.size(); }
 
@@ -92,6 +95,15 @@ struct Surface_sample
   // whether it has off-surface points
   bool has_side(const std::size_t i) const { return !normals[i].isZero(0) && !is_on_edge_of_surface(i); }
 };
+
+// that of the box; normalised points are centred
+inline double half_diagonal(const Surface_sample& sample)
+{
+  Vector half_box = Vector::Zero();
+  for (const Vector& p : sample.points)
+    half_box = half_box.cwiseMax(p.cwiseAbs());
+  return half_box.norm();
+}
 
 inline std::size_t memory_bytes_of(const Surface_sample& sample)
 {

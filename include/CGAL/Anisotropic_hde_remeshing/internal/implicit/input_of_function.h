@@ -13,6 +13,7 @@
 
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Facet_distance.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Facet_edges.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Hole_rims.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Point_distance.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Points_on_facets.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Signed_distance.h>
@@ -131,12 +132,14 @@ std::shared_ptr<const Surface_sample> sample_input(const MeshOrPointRange& input
   Surface_sample sample;
   if constexpr (Is_range<MeshOrPointRange>::value)
     sample = sample_points<ConcurrencyTag>(input, point_map_of<MeshOrPointRange>(np), normal_map_of<MeshOrPointRange>(np),
-                                           interpolation.detects_outliers, interruption);
+                                           interpolation.detects_outliers, interpolation.closes_holes, interruption);
   else
     sample = sample_mesh(
         input, choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, input)),
         get_parameter(np, internal_np::vertex_normal_map), interruption);
   check_sample(sample);
+  if (interpolation.closes_holes && !sample.facets.empty())
+    find_rims_of_mesh<ConcurrencyTag>(sample, interruption);
   interpolation.noise *= sample.normalization.scale;
   if (interpolation.estimates_noise)
     interpolation.noise = estimate_noise<ConcurrencyTag>(sample, interruption);

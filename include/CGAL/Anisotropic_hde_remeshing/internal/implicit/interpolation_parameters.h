@@ -36,6 +36,7 @@ struct Interpolation_parameters
   double noise = 0;              // standard deviation of that of the points
   bool estimates_noise = false;  // whether it is to be found out
   bool detects_outliers = false; // whether points that their neighbours contradict are left out
+  bool closes_holes = true;      // whether the function is bounded where data are missing
   bool finds_edges = false;      // whether vertices on sharp edges have no normal
   bool uses_facets = false;      // whether it interpolates points on facets, too, and is checked there
 
@@ -79,6 +80,8 @@ Interpolation_parameters interpolation_parameters(const NamedParameters& np)
     result.finds_edges = result.finds_edges && get_parameter(np, internal_np::detect_edges);
   if constexpr (!is_default_parameter<NamedParameters, internal_np::detect_outliers_t>::value)
     result.detects_outliers = get_parameter(np, internal_np::detect_outliers);
+  if constexpr (!is_default_parameter<NamedParameters, internal_np::close_holes_t>::value)
+    result.closes_holes = get_parameter(np, internal_np::close_holes);
   if constexpr (!is_default_parameter<NamedParameters, internal_np::points_on_facets_t>::value)
     result.uses_facets = result.uses_facets && get_parameter(np, internal_np::points_on_facets);
   if (result.noise > 0)

@@ -11,6 +11,8 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
+#include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Vector.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Hole_rims.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Outliers.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Point_search.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Surface_sample.h>
@@ -19,41 +21,48 @@
 
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// the spacing of a point without edges: the mean distance to its six nearest neighbours, as many as a vertex has
+// The spacing of a point without edges: the mean distance to its six nearest neighbours, as many as a vertex has. On request, looks
+// for holes where all of these are on one side.
 template <typename ConcurrencyTag>
-void compute_spacings(Surface_sample& sample, Interruption& interruption)
+void compute_spacings(Surface_sample& sample, const bool finds_holes, Interruption& interruption)
 {
   static constexpr unsigned int number_of_neighbors = 6;
   if (sample.points.empty())
     return; // a search tree needs points
   const Point_search search(sample.points);
+  std::vector<Vector> gaps(finds_holes ? sample.size() : 0, Vector::Zero());
   parallel_for<ConcurrencyTag>(
       sample.size(),
       [&](const std::size_t i)
       {
         double sum = 0;
-        std::size_t count = 0;
+        std::vector<Vector> ways;
         // the nearest is the point itself
         for (const auto& neighbor : search.nearest(sample.points[i], number_of_neighbors + 1))
           if (neighbor.second != i)
           {
             sum += std::sqrt(neighbor.first);
-            ++count;
+            ways.push_back(sample.points[neighbor.second] - sample.points[i]);
           }
-        sample.spacings[i] = count > 0 ? sum / double(count) : 0.;
+        sample.spacings[i] = ways.empty() ? 0. : sum / double(ways.size());
+        if (finds_holes && !sample.normals[i].isZero(0))
+          gaps[i] = direction_of_gap(sample.normals[i], ways, Hole_rims::least_gap);
       },
       256, interruption);
   interruption.check();
+  if (finds_holes)
+    find_rims_of_points<ConcurrencyTag>(sample, gaps, search, interruption);
 }
 
 template <typename ConcurrencyTag, typename PointRange, typename PointMap, typename NormalMap>
 Surface_sample sample_points(const PointRange& range, const PointMap point_map, const NormalMap normal_map,
-                             const bool detects_outliers, Interruption& interruption)
+                             const bool detects_outliers, const bool finds_holes, Interruption& interruption)
 {
   Surface_sample sample;
   std::size_t index = 0;
@@ -70,7 +79,7 @@ Surface_sample sample_points(const PointRange& range, const PointMap point_map, 
   merge_duplicate_points(sample);
   if (detects_outliers)
     Outliers(ConcurrencyTag(), sample, interruption).correct(sample);
-  compute_spacings<ConcurrencyTag>(sample, interruption);
+  compute_spacings<ConcurrencyTag>(sample, finds_holes, interruption);
   return sample;
 }
 

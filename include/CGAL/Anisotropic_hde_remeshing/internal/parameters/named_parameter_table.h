@@ -58,6 +58,7 @@ CGAL_AHR_NAMED_PARAMETER(smoothing, Is_smoothing, "a number or AUTOMATIC_SMOOTHI
 CGAL_AHR_NAMED_PARAMETER(points_on_facets, Is_boolean, "a Boolean")
 CGAL_AHR_NAMED_PARAMETER(detect_edges, Is_boolean, "a Boolean")
 CGAL_AHR_NAMED_PARAMETER(detect_outliers, Is_boolean, "a Boolean")
+CGAL_AHR_NAMED_PARAMETER(close_holes, Is_boolean, "a Boolean")
 CGAL_AHR_NAMED_PARAMETER(radial_function, Is_radial_function, "a model of RadialBasisFunction, such as Wendland_C4_rbf()")
 CGAL_AHR_NAMED_PARAMETER_OF_CGAL(vertex_normal_map, vertex_normal_map_t, Is_vertex_point_map, "a property map from the vertices of the mesh to vectors")
 CGAL_AHR_NAMED_PARAMETER_OF_CGAL(point_map, point_t, Has_points_of_range, "a property map from the elements of the range to points")

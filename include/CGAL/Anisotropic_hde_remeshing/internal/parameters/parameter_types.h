@@ -249,6 +249,7 @@ struct Parameters_of_function_of_mesh
   static constexpr bool accepts()
   {
     return Parameters_of_function::template accepts<NamedParameters, Subject>() &&
+           Takes_close_holes::template accepts<NamedParameters, Subject>() &&
            Takes_read_vertex_point_map::template accepts<NamedParameters, Subject>() &&
            Takes_vertex_normal_map::template accepts<NamedParameters, Subject>();
   }
@@ -261,6 +262,7 @@ struct Parameters_of_function_of_range
   {
     return Parameters_of_function::template accepts<NamedParameters, Subject>() &&
            Takes_detect_outliers::template accepts<NamedParameters, Subject>() &&
+           Takes_close_holes::template accepts<NamedParameters, Subject>() &&
            Takes_point_map::template accepts<NamedParameters, Subject>() &&
            Takes_normal_map::template accepts<NamedParameters, Subject>();
   }
