@@ -143,11 +143,11 @@ private:
       centres.push_back(centre_of_ball(sample, candidate));
     }
     Disjoint_sets sets(rim.size());
-    const auto unite = [&](const std::vector<Vector>& points, const double reach)
+    const auto unite = [&](const std::vector<Vector>& neighbors, const double reach)
     {
-      const Point_search search(points);
+      const Point_search search(neighbors);
       for (std::size_t k = 0; k < rim.size(); ++k)
-        for (const auto& [squared_distance, l] : search.nearest(points[k], number_of_neighbors))
+        for (const auto& [squared_distance, l] : search.nearest(neighbors[k], number_of_neighbors))
           if (std::sqrt(squared_distance) <= reach * (std::max)(sample.spacings[rim[k].point], sample.spacings[rim[l].point]))
             sets.union_set(k, l);
     };

@@ -97,9 +97,10 @@ Region_function<Field> fit_region_function(const Region_mesh& region, const doub
   {
     try
     {
-      const Field field(
-          region,
-          np.vertex_point_map(get(vertex_point, region)).vertex_normal_map(internal_np::Param_not_found()).close_holes(false));
+      // of the package's class: CGAL's has no close_holes()
+      const auto parameters_of_field =
+          named_parameters(np.vertex_point_map(get(vertex_point, region)).vertex_normal_map(internal_np::Param_not_found()));
+      const Field field(region, parameters_of_field.close_holes(false));
       if (share_of_missed_facets(field, region) <= largest_share_of_missed_facets)
         return Region_function<Field>(field);
     }
