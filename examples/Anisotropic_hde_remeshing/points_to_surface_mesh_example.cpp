@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Anisotropic_hde_remeshing developers
 
-// Meshes the surface through points with normals by CGAL's make_surface_mesh(), which takes the function as it is. Where points are
-// missing, the surface is closed.
+// Meshes the surface through points with normals by CGAL's make_surface_mesh(), which takes the function as it is. Where points
+// are missing, the surface is closed.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/IO/facets_in_complex_2_to_triangle_mesh.h>
@@ -35,7 +35,8 @@ typedef CGAL::Point_set_3<Kernel::Point_3> Point_set;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 typedef CGAL::Rbf_implicit_function<Kernel, CGAL::Polyharmonic_rbf, CGAL::Parallel_if_available_tag> Function;
 
-// The function, which may be evaluated only so many times. CGAL's mesher asks for ever where the zero set is rough, as around outliers.
+// The function, which may be evaluated only so many times. CGAL's mesher asks for ever where the zero set is rough, as of noise
+// and outliers.
 class Limited_function
 {
 public:
@@ -50,7 +51,8 @@ public:
   FT operator()(const Point& p) const
   {
     if ((*m_number)-- == 0)
-      throw std::runtime_error("The surface is too rough to be meshed. Are there outliers, or normals that look inward?");
+      throw std::runtime_error(
+          "The surface is too rough to be meshed: are there outliers, or is there noise? See detect_outliers and smoothing.");
     return m_function(p);
   }
 

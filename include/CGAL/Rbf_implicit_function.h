@@ -297,8 +297,8 @@ public:
     return m_interpolant->interpolant().tree().leaf_at(m_normalization(point));
   }
 
-  /// the distance from `p` to the nearest point that was given, in the unit of the coordinates: how far the function only guesses. One may
-  /// trim by it. The first call builds a tree of the points.
+  /// the distance from `p` to the nearest point that was given, in the unit of the coordinates. Far from these the function only
+  /// guesses, and one may trim it. The first call builds a tree of the points.
   FT distance_to_data(const Point_3& p) const
   {
     const Eigen::Vector3d point = Anisotropic_hde_remeshing::internal::to_vector(p);

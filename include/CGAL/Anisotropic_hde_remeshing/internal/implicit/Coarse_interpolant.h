@@ -32,8 +32,8 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// The smooth field through a coarse surface: r^3 and a linear polynomial interpolate 0 at the middles of its parts, and the offsets at
-// places beside these. It goes on smoothly where there are no parts, but has an arbitrary sign far away.
+// The smooth field through a coarse surface: r^3 and a linear polynomial interpolate 0 at the middles of its parts, and the
+// offsets at places beside these. It goes on smoothly where there are no parts, but has an arbitrary sign far away.
 class Coarse_interpolant
 {
   static constexpr double relative_offset = 0.25; // in units of the radius of the part

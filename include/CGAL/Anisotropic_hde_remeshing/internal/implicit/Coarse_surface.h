@@ -31,8 +31,8 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// A sample in a few hundred parts, which are small at the rims of holes and large far from them. Each has the points that are nearest
-// to one of them, its middle.
+// A sample in a few hundred parts, which are small at the rims of holes and large far from them. Each has the points that are
+// nearest to one of them, its middle.
 class Coarse_surface
 {
 public:
@@ -129,8 +129,8 @@ private:
     return result;
   }
 
-  // Proportional to the squares of the spacings. How regularly the points are spread tells the factor: it is the median over places
-  // far from the rim, where a disk of more points has an area that is known.
+  // Proportional to the squares of the spacings. How regularly the points are spread tells the factor: it is the median over
+  // places far from the rim, where a disk of more points has an area that is known.
   template <typename ConcurrencyTag>
   std::vector<double> areas_of_points(const Surface_sample& sample, const std::vector<double>& from_rim,
                                       Interruption& interruption) const

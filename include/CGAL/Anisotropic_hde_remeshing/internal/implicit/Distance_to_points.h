@@ -24,8 +24,8 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// The distance to the nearest of the first `n` points. The search tree is built at the first query, as most functions are never asked.
-// Thread-safe.
+// The distance to the nearest of the first `n` points. The search tree is built at the first query, as most functions are never
+// asked. Thread-safe.
 class Distance_to_points
 {
 public:

@@ -30,11 +30,11 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// What the function is far from the data of a sample with holes. The share of all directions in which a place sees the inside of the
-// coarse surface (the winding number, a harmonic field) tells what is certainly inside, certainly outside, or neither. The latter is a
-// band that spans the holes. In it the coarse interpolant goes on smoothly from the rims. The winding number vanishes far away, so
-// the zero set is bounded. "Far" is measured in radii of the parts of the coarse surface, which grow with the distance to the rim. So
-// the function near the data, and wherever the data are nearer than the rim, is left as it is.
+// What the function is far from the data of a sample with holes. The share of all directions in which a place sees the inside
+// of the coarse surface (the winding number, a harmonic field) tells what is certainly inside, certainly outside, or neither.
+// The latter is a band that spans the holes. In it the coarse interpolant goes on smoothly from the rims. The winding number
+// vanishes far away, so the zero set is bounded. "Far" is measured in radii of the parts of the coarse surface, which grow with
+// the distance to the rim. So the function near the data, and wherever the data are nearer than the rim, is left as it is.
 class Far_field
 {
   static constexpr double least_begin = 1, excess_over_data = 1.1; // of the blend, in units of the radius of the parts
@@ -119,8 +119,8 @@ private:
                 end);
   }
 
-  // Over a plane it is the inverse of the fourth power of the distance over the radius of the parts. The integral of r^-6 over a plane at
-  // distance d is pi / (2 d^4).
+  // Over a plane it is the inverse of the fourth power of the distance over the radius of the parts. The integral of r^-6 over
+  // a plane at distance d is pi / (2 d^4).
   template <int order>
   Jet<order> sum_over_radii(const Vector& p) const
   {

@@ -34,7 +34,8 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// the direction in the tangent plane in the middle of the widest sector without a neighbour; zero if it is narrower than `least_gap`
+// the direction in the tangent plane in the middle of the widest sector without a neighbour; zero if it is narrower than
+// `least_gap`
 inline Vector direction_of_gap(const Vector& normal, const std::vector<Vector>& ways, const double least_gap)
 {
   const Tangent_frame frame = tangent_frame(normal);
@@ -55,10 +56,10 @@ inline Vector direction_of_gap(const Vector& normal, const std::vector<Vector>& 
                             : Vector(std::cos(middle) * frame.col(0) + std::sin(middle) * frame.col(1));
 }
 
-// Finds where the data of a sample end. A point is on the rim of a hole if a ball beside it, about a place in its tangent plane, is
-// empty, and so are the balls that are tilted up and down from there: at a sharp edge one of these meets the other side. Nor is there a
-// point nearby that looks the other way, as at the edge of a blade. A hole is a group of such points that is wider than a few spacings, or
-// than a quarter of the sample. So gaps between points that are a few spacings wide are none.
+// Finds where the data of a sample end. A point is on the rim of a hole if a ball beside it, about a place in its tangent
+// plane, is empty, and so are the balls that are tilted up and down from there: at a sharp edge one of these meets the other
+// side. Nor is there a point nearby that looks the other way, as at the edge of a blade. A hole is a group of such points that
+// is wider than a few spacings, or than a quarter of the sample. So gaps between points that are a few spacings wide are none.
 class Hole_rims
 {
   static constexpr double distance_of_ball = 3.5, radius_of_ball = 2.5; // in units of the spacing
@@ -78,8 +79,8 @@ public:
   // the widest empty sector of the six nearest neighbours, where a ball fits in
   static constexpr double least_gap = 140 * CGAL_PI / 180;
 
-  // `clearance` is the distance from a place to the data, `is_at_blade` tells whether a point has neighbours that look the other way.
-  // Writes the rims to the sample.
+  // `clearance` is the distance from a place to the data, `is_at_blade` tells whether a point has neighbours that look the
+  // other way. Writes the rims to the sample.
   template <typename ConcurrencyTag, typename Clearance, typename Is_at_blade>
   static void find(const ConcurrencyTag, Surface_sample& sample, const std::vector<Candidate>& candidates,
                    const Clearance& clearance, const Is_at_blade& is_at_blade, Interruption& interruption)
@@ -124,8 +125,8 @@ private:
     return result;
   }
 
-  // Adds the points of groups that are not small, and returns the number of these groups. Two points are of one if their balls overlap, or if
-  // they are next to each other, as at a corner.
+  // Adds the points of groups that are not small, and returns the number of these groups. Two points are of one if their balls
+  // overlap, or if they are next to each other, as at a corner.
   static std::size_t add_wide_groups(const Surface_sample& sample, const std::vector<Candidate>& rim,
                                      std::vector<std::size_t>& points)
   {
