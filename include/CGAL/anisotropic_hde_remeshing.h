@@ -327,11 +327,14 @@ the same without a function.
 If only a number of faces is asked for, and it is at most three quarters of that of the mesh, the mesh is remeshed by measured
 error (`Anisotropic_hde_remeshing::Remeshing_scheme::MEASURED_ERROR`): its facets are the surface, and no function is built. So it is
 for any number if the facets are those of a CAD program: if more than a quarter of the area is in faces whose longest edge is more
-than eight times the altitude over it, or in long facets of several faces, as those of a cylinder of few sides. Only here, `sigma`, `target_edge_length` and the counters of projections in the result are 0.
+than eight times the altitude over it, or in long facets of several faces, as those of a cylinder of few sides; or if hardly any edge
+turns by little, and half of the area is in such facets and in large ones, as of a block. Only here, `sigma`, `target_edge_length` and
+the counters of projections in the result are 0.
 
 Otherwise the surface is the smooth one that `Rbf_implicit_function` lays through the vertices of the mesh. The named parameters of
 `Rbf_implicit_function` may be given, too: `number_of_patches`, `patch_overlap`, `offset_distance`, `vertex_normal_map` and
-`radial_function`. The type of `radial_function` selects the kernel.
+`radial_function`. The type of `radial_function` selects the kernel. If the facets are those of a CAD program, and none of these, of
+`smoothing`, `points_on_facets`, `detect_edges` or `Remeshing_scheme::PAPER` is given, the surface is that of the facets.
 
 With `sharp_angle`, the surface is smooth between its creases only. `Anisotropic_hde_remeshing::detect_surface_regions()` finds
 the creases. The surface is that of `Piecewise_rbf_implicit_function`, and `vertex_normal_map` is not used.

@@ -25,6 +25,8 @@
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/boost/graph/helpers.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iostream>
@@ -175,28 +177,82 @@ void test_fewer_faces()
 
 bool is_of_long_facets(const Mesh& mesh) { return Hde::internal::has_long_facets(mesh.faces(), mesh, mesh.points()); }
 
+Mesh voxel_ball(const int radius)
+{
+  std::vector<std::array<int, 3>> cubes;
+  for (int x = -radius; x <= radius; ++x)
+    for (int y = -radius; y <= radius; ++y)
+      for (int z = -radius; z <= radius; ++z)
+        if (x * x + y * y + z * z <= radius * (radius + 1))
+          cubes.push_back({{x, y, z}});
+  return union_of_cubes(cubes, 1);
+}
+
 // Facets of few sides are facets, however they are cut. Where a surface may be meant to be smooth, they are not.
 void test_what_is_exact()
 {
   for (const std::size_t bands : {1, 3, 5})
     for (const bool is_closed : {true, false})
       CHECK(is_of_long_facets(cad_shapes::cylinder(12, bands, is_closed)));
-  CHECK(is_of_long_facets(cad_shapes::tube(12, 3)));
-  CHECK(is_of_long_facets(cad_shapes::bar_with_fillets(3, 3)));
-  for (const Mesh& smooth : {icosphere(1), icosphere(3), torus(12, 8), torus(64, 24), ellipsoid(3), cube(6), l_block(2)})
+  for (const std::size_t bands : {1, 3, 5})
+    for (const std::size_t sides : {8, 12, 24, 32, 90})
+    {
+      CHECK(is_of_long_facets(cad_shapes::tube(sides, bands)));
+      CHECK(is_of_long_facets(cad_shapes::elbow(sides, bands, true)));
+      CHECK(is_of_long_facets(cad_shapes::bar_with_fillets(sides / 4, bands)));
+      CHECK(is_of_long_facets(cad_shapes::plate(sides / 4, bands)));
+    }
+  for (const Mesh& block : {cube(1), cube(6), l_block(1), l_block(2)})
+    CHECK(is_of_long_facets(block));
+  for (const Mesh& smooth : {icosphere(0), icosphere(1), icosphere(3), torus(12, 8), torus(64, 24), ellipsoid(3),
+                             capped_cylinder(32, 16), bumpy_sphere(2), voxel_ball(4)})
     CHECK(!is_of_long_facets(smooth));
 }
 
-// Embeddings keep to the facets, too: the flat sides of a bar do not bulge, and arcs of few sides do not swell.
-void test_embedding(const Mesh& input, const double height)
+// By an embedding, the largest distance to the input is at most this one.
+template <typename NamedParameters>
+void check_embedding(const Mesh& input, const double largest, const NamedParameters& np)
 {
   Mesh mesh = input;
-  CGAL::anisotropic_hde_remeshing<Tag>(
-      mesh, params::number_of_target_faces(1000).sharp_angle(40).embedding(Hde::Curvature_metric(2)));
+  CGAL::anisotropic_hde_remeshing<Tag>(mesh, np.number_of_target_faces(1000));
   const double distance = Hde::measure_distance<Tag>(mesh, input).max();
-  std::cout << "by an embedding: largest distance " << distance / height << " heights" << std::endl;
-  CHECK(distance <= height);
+  std::cout << "by an embedding: largest distance " << distance << " of " << largest << std::endl;
+  CHECK(distance <= largest);
   remeshing_checks::check_same_topology(input, mesh);
+}
+
+// Embeddings keep to the facets, too: the flat sides of a bar do not bulge, and arcs of few sides do not swell. Without a sharp
+// angle, the vertices are on the facets, and edges cut the corners, but no more than that.
+void test_embedding(const Mesh& input, const double height)
+{
+  const double corner = 3 * height; // about half the length of an edge of 1000 faces
+  check_embedding(input, height, params::sharp_angle(40).embedding(Hde::Curvature_metric(2)));
+  check_embedding(input, height, params::sharp_angle(40).relative_sigma(0.02));
+  check_embedding(input, corner, params::embedding(Hde::Curvature_metric(2)));
+  check_embedding(input, corner, params::relative_sigma(0.02));
+}
+
+// The function is not of facets if anything is asked of it, or the paper's scheme: it rounds a cube, inside of a face, too.
+void test_function_asked_for()
+{
+  const auto distance_of_vertices = [](const auto& np)
+  {
+    Mesh mesh = cube(6);
+    CGAL::anisotropic_hde_remeshing<Tag>(mesh, np.number_of_target_faces(1000).relative_sigma(0.02));
+    double largest = 0;
+    for (const auto v : mesh.vertices())
+    {
+      const Point_3& p = mesh.point(v);
+      double inside = 1;
+      for (int i = 0; i < 3; ++i)
+        inside = (std::min)({inside, std::abs(p[i]), std::abs(1 - p[i])});
+      largest = (std::max)(largest, inside);
+    }
+    return largest;
+  };
+  CHECK(distance_of_vertices(params::do_split(true)) < 1e-12);
+  CHECK(distance_of_vertices(params::detect_edges(false)) > 1e-3);
+  CHECK(distance_of_vertices(params::remeshing_scheme(Hde::Remeshing_scheme::PAPER)) > 1e-4);
 }
 
 // A triangle without neighbours is counted.
@@ -216,6 +272,9 @@ int main()
   test_what_is_exact();
   test_embedding(cad_shapes::cylinder(12, 3, true), cad_shapes::chord_height(12));
   test_embedding(cad_shapes::bar_with_fillets(3, 3), cad_shapes::chord_height(12));
+  test_embedding(cad_shapes::elbow(12, 1, true), cad_shapes::chord_height(12));
+  test_embedding(cad_shapes::plate(3, 1), cad_shapes::chord_height(12));
+  test_function_asked_for();
   test_lone_faces();
   test_any_number();
   test_locations();

@@ -26,7 +26,7 @@ struct Built_function
   Function_view function;
   std::string kernel;
   std::optional<CGAL::Anisotropic_hde_remeshing::Rbf_diagnostics> rbf;
-  std::optional<CGAL::Anisotropic_hde_remeshing::Piecewise_rbf_diagnostics> pieces; // in its place with --sharp
+  std::optional<CGAL::Anisotropic_hde_remeshing::Piecewise_rbf_diagnostics> pieces; // in its place with --sharp, or of facets
 };
 
 // Builds the function of the mesh with the kernel that the options name.

@@ -33,15 +33,20 @@ RadialFunction radial_function(const Options& o)
     return RadialFunction();
 }
 
+// Whether nothing is asked of the function. Then long and exact facets are the surface. The scheme of the paper has its function.
+inline bool leaves_function_open(const Options& o) { return o.scheme != "paper" && !is_function_asked_for(o); }
+
 template <typename RadialFunction, typename NamedParameters>
 Built_function build_with_parameters(const Mesh& mesh, const Options& o, const NamedParameters& np)
 {
   Built_function result;
   result.kernel = RadialFunction::name();
-  if (o.sharp)
+  namespace Hde_internal = CGAL::Anisotropic_hde_remeshing::internal;
+  const bool has_long_facets = Hde_internal::has_long_facets(faces(mesh), mesh, mesh.points());
+  if (o.sharp || (has_long_facets && leaves_function_open(o)))
   {
     const CGAL::Piecewise_rbf_implicit_function<Kernel, RadialFunction, CGAL::Parallel_if_available_tag> function(
-        mesh, creases_of(mesh).region, CGAL::Anisotropic_hde_remeshing::internal::keep_long_facets(np));
+        mesh, creases_of(mesh).region, Hde_internal::keep_long_facets(np, has_long_facets));
     result.function = Function_view::of_pieces(function);
     result.pieces = function.diagnostics();
   }

@@ -300,6 +300,12 @@ std::string command_line(const int argc, char** argv)
 
 } // namespace
 
+bool is_function_asked_for(const Options& o)
+{
+  return o.kernel != "r3" || o.shape || o.patches || o.overlap || o.offset || o.smoothing || o.automatic_smoothing ||
+         o.vertices_only || o.smooth_edges;
+}
+
 std::string version_text()
 {
   std::string text = "hde_remesh " HDE_REMESH_VERSION ", CGAL " CGAL_VERSION_STR;

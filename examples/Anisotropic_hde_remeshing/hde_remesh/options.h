@@ -44,6 +44,9 @@ struct Options
   bool self_intersections = false, no_distance = false, quiet = false;
 };
 
+// whether the options ask for anything of the implicit function
+bool is_function_asked_for(const Options& options);
+
 // the versions of this program and of CGAL
 std::string version_text();
 

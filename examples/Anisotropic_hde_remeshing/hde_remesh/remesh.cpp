@@ -72,12 +72,10 @@ Remeshing_scheme scheme_of(const Sizes& sizes, const Options& o, const Mesh& mes
   const bool is_asked_for = o.scheme == "measured-error";
   const bool is_embedding_given =
       o.sigma || o.absolute_sigma || o.relaxation_steps || o.smoothing_ratio || o.collapse_ratio || o.split_ratio;
-  const bool is_function_given = o.kernel != "r3" || o.shape || o.patches || o.overlap || o.offset || o.smoothing ||
-                                 o.automatic_smoothing || o.vertices_only || o.smooth_edges;
   const Remeshing_scheme scheme = is_asked_for ? Remeshing_scheme::MEASURED_ERROR : Remeshing_scheme::DEFAULT;
   namespace Hde_internal = CGAL::Anisotropic_hde_remeshing::internal;
   const bool is_by_measured_error =
-      (is_asked_for || !(is_embedding_given || is_function_given)) &&
+      (is_asked_for || !(is_embedding_given || is_function_asked_for(o))) &&
       (sizes.error ? Hde_internal::keeps_measured_error(scheme)
                    : Hde_internal::is_by_measured_error(
                          scheme, static_cast<double>(sizes.number_of_faces.value()), mesh.number_of_faces(),

@@ -43,7 +43,7 @@ struct Remeshed
   std::string kernel;     // none without a function
   double function_seconds = 0;
   std::optional<CGAL::Anisotropic_hde_remeshing::Rbf_diagnostics> rbf;
-  std::optional<CGAL::Anisotropic_hde_remeshing::Piecewise_rbf_diagnostics> pieces; // in its place with --sharp
+  std::optional<CGAL::Anisotropic_hde_remeshing::Piecewise_rbf_diagnostics> pieces; // in its place with --sharp, or of facets
   CGAL::Anisotropic_hde_remeshing::Remeshing_result result;
 };
 

@@ -28,6 +28,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
@@ -47,24 +48,46 @@ class Distance_to_mesh
   typedef AABB_traits<Geom_traits, Primitive> Traits;
 #endif
   typedef typename Geom_traits::Point_3 Point_3;
+  typedef AABB_tree<Traits> Tree;
 
 public:
   Distance_to_mesh(const TriangleMesh& tmesh, const NamedParameters& np)
+  {
+    build(tmesh, np);
+    m_tree.accelerate_distance_queries(); // now, not when a thread asks first
+  }
+
+  // The same, for many queries. A query starts from the nearest of some points of the mesh. Where faces are long, vertices are far
+  // away, and many faces would be looked at: points on the faces are nearer. `measured` is a copy of the mesh.
+  Distance_to_mesh(const TriangleMesh& tmesh, const NamedParameters& np, const Measured_mesh& measured)
+  {
+    static constexpr std::size_t points_per_face = 4;
+    build(tmesh, np);
+    const std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor> descriptors(faces(tmesh).first,
+                                                                                               faces(tmesh).second);
+    const Area_sampler sampler(measured, points_per_face * measured.faces.size());
+    std::vector<typename Tree::Point_and_primitive_id> starts;
+    for (std::size_t f = 0; f < measured.faces.size(); ++f)
+      starts.emplace_back(to_point(measured.points[measured.faces[f][0]]), descriptors[f]);
+    for (std::size_t i = 0; i < sampler.size(); ++i)
+      starts.emplace_back(to_point(sampler(i)), descriptors[sampler.face(i)]);
+    m_tree.accelerate_distance_queries(starts.begin(), starts.end());
+  }
+
+  double operator()(const Vector& p) const { return std::sqrt(to_double(m_tree.squared_distance(to_point(p)))); }
+
+private:
+  static Point_3 to_point(const Vector& p) { return Point_3(p.x(), p.y(), p.z()); }
+
+  void build(const TriangleMesh& tmesh, const NamedParameters& np)
   {
     const Vertex_point_map point_map = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
                                                                     get_const_property_map(vertex_point, tmesh));
     m_tree.insert(faces(tmesh).first, faces(tmesh).second, tmesh, point_map);
     m_tree.build();
-    m_tree.accelerate_distance_queries(); // now, not when a thread asks first
   }
 
-  double operator()(const Vector& p) const
-  {
-    return std::sqrt(to_double(m_tree.squared_distance(Point_3(p.x(), p.y(), p.z()))));
-  }
-
-private:
-  AABB_tree<Traits> m_tree;
+  Tree m_tree;
 };
 
 // The distances of the points sampled on the mesh. The maximum is also over the vertices, where a distance often has its peaks.
@@ -122,8 +145,8 @@ Distance_measures measure_distance(const TriangleMesh1& tmesh1, const TriangleMe
     const std::size_t number_of_samples = internal::number_of_samples_parameter(np1);
     const internal::Measured_mesh first = internal::read_measured_mesh(tmesh1, np1),
                                   second = internal::read_measured_mesh(tmesh2, np2);
-    const internal::Distance_to_mesh<TriangleMesh1, NamedParameters1> to_first(tmesh1, np1);
-    const internal::Distance_to_mesh<TriangleMesh2, NamedParameters2> to_second(tmesh2, np2);
+    const internal::Distance_to_mesh<TriangleMesh1, NamedParameters1> to_first(tmesh1, np1, first);
+    const internal::Distance_to_mesh<TriangleMesh2, NamedParameters2> to_second(tmesh2, np2, second);
     const internal::Rms_and_max from_first = internal::rms_and_max_from<ConcurrencyTag>(first, number_of_samples, to_second);
     const internal::Rms_and_max from_second = internal::rms_and_max_from<ConcurrencyTag>(second, number_of_samples, to_first);
 

@@ -60,7 +60,12 @@ inline File_case off_case(const std::string& name, const Mesh& mesh, const Optio
 inline Cases cad(const bool is_whole)
 {
   Cases cases;
-  const Options options = {"--faces 1000", "--sharp 40 --faces 1000", "--sharp 40 --faces 1000 --metric 2",
+  const Options options = {"--faces 1000",
+                           "--sharp 40 --faces 1000",
+                           "--sharp 40 --faces 1000 --metric 2",
+                           "--sharp 40 --faces 1000 --sigma .02",
+                           "--faces 1000 --metric 2",
+                           "--faces 1000 --sigma .02",
                            "--sharp 40 --error 1e-3"};
   const auto add = [&](const std::string& shape, const std::size_t sides, const std::size_t bands, const Mesh& mesh)
   {

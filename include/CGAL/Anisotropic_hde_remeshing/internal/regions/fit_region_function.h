@@ -62,16 +62,17 @@ double share_of_missed_facets(const Field& field, const Region_mesh& region)
 }
 
 // Marks named parameters: without smoothing, facets that are long and exact are the function of their region. The remeshing of a mesh
-// on its own surface asks for it. By itself, the function of a cylinder of two rows of vertices is that of the cylinder.
+// on its own surface asks for it, and tells whether the whole mesh has such facets: then those of each region are, even if they are
+// short. By itself, the function of a cylinder of two rows of vertices is that of the cylinder.
 enum Keeps_long_facets
 {
 };
 
 template <typename T, typename Tag, typename Base>
-auto keep_long_facets(const Named_function_parameters<T, Tag, Base>& np)
+auto keep_long_facets(const Named_function_parameters<T, Tag, Base>& np, const bool has_whole_mesh)
 {
   return named_parameters(
-      Named_function_parameters<bool, Keeps_long_facets, Named_function_parameters<T, Tag, Base>>(true, np));
+      Named_function_parameters<bool, Keeps_long_facets, Named_function_parameters<T, Tag, Base>>(has_whole_mesh, np));
 }
 
 template <typename NamedParameters>
@@ -91,8 +92,10 @@ Region_function<Field> fit_region_function(const Region_mesh& region, const doub
     return Region_function<Field>(*plane);
   const Interpolation_parameters parameters = interpolation_parameters(np);
   const bool is_smoothed = parameters.noise > 0 || parameters.estimates_noise;
-  const bool has_exact_facets =
-      keeps_long_facets<NamedParameters> && !is_smoothed && has_long_facets(region.faces(), region, region.points());
+  bool has_exact_facets = false;
+  if constexpr (keeps_long_facets<NamedParameters>)
+    has_exact_facets = !is_smoothed && (parameters::get_parameter(np, Keeps_long_facets()) ||
+                                        has_long_facets(region.faces(), region, region.points()));
   if (region.number_of_vertices() >= least_number_of_vertices && !has_exact_facets)
   {
     try

@@ -209,24 +209,68 @@ bool find_creases(const TriangleMesh& tmesh, const NamedParameters& np, const Ed
   }
 }
 
-// Remeshes on the surface through the vertices of the whole mesh, whichever faces are remeshed. The surface is smooth, or
-// smooth between creases. The function computes in double even if the points of the mesh are exact.
+// whether the facets of the mesh are the surface: they are long and exact
+template <typename TriangleMesh, typename NamedParameters>
+bool has_exact_facets(const TriangleMesh& tmesh, const NamedParameters& np)
+{
+  return has_long_facets(Whole_mesh()(tmesh), tmesh,
+                         parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                                      get_const_property_map(vertex_point, tmesh)));
+}
+
+// Builds the function of the whole mesh, and calls `remesh_on` with it and its creases. The function is smooth, or smooth between
+// creases, or that of the facets where these are long and exact and nothing is asked of the function. It computes in double even if
+// the points of the mesh are exact.
+template <typename ConcurrencyTag, typename TriangleMesh, typename NamedParameters, typename FunctionParameters,
+          typename RemeshOn>
+void build_function_of(const TriangleMesh& tmesh, const NamedParameters& np, const FunctionParameters& np_of_function,
+                       const RemeshOn& remesh_on)
+{
+  typedef std::decay_t<decltype(parameters::choose_parameter(parameters::get_parameter(np, internal_np::radial_function),
+                                                             Polyharmonic_rbf()))>
+      Radial_function;
+  typedef Simple_cartesian<double> Kernel;
+  typedef Piecewise_rbf_implicit_function<Kernel, Radial_function, ConcurrencyTag> Function_of_regions;
+
+  if constexpr (may_have_creases<NamedParameters>)
+  {
+    const auto edge_is_crease = get(dynamic_edge_property_t<bool>(), tmesh);
+    const auto face_region = get(dynamic_face_property_t<std::size_t>(), tmesh);
+    typedef Crease_maps<std::decay_t<decltype(edge_is_crease)>, std::decay_t<decltype(face_region)>> Creases;
+    if (find_creases(tmesh, np, edge_is_crease, face_region))
+    {
+      remesh_on(Function_of_regions(tmesh, face_region, keep_long_facets(np_of_function, has_exact_facets(tmesh, np))),
+                Creases{edge_is_crease, face_region});
+      return;
+    }
+  }
+  if constexpr (!is_given<NamedParameters, internal_np::sharp_angle_t>)
+  {
+    if constexpr (leaves_function_open<NamedParameters>)
+      if (iteration_parameters(np).scheme != Remeshing_scheme::PAPER && has_exact_facets(tmesh, np))
+      {
+        typedef Static_boolean_property_map<Face_of<TriangleMesh>, false> One_region;
+        typedef Static_boolean_property_map<typename boost::graph_traits<TriangleMesh>::edge_descriptor, false> No_creases;
+        remesh_on(Function_of_regions(tmesh, One_region(), keep_long_facets(np_of_function, true)),
+                  Crease_maps<No_creases, One_region>{No_creases(), One_region()});
+        return;
+      }
+    typedef Rbf_implicit_function<Kernel, Radial_function, ConcurrencyTag> Function;
+    remesh_on(Function(tmesh, np_of_function), crease_maps<Function, TriangleMesh>(np));
+  }
+}
+
+// Remeshes on the surface through the vertices of the whole mesh, whichever faces are remeshed.
 template <typename ConcurrencyTag, typename FaceRange, typename TriangleMesh, typename NamedParameters>
 Remeshing_result remesh_faces_on_built_surface(const FaceRange& faces, TriangleMesh& tmesh, const bool is_whole_mesh,
                                                const NamedParameters& np)
 {
   static constexpr double share_of_function = 0.3; // of the time, where the mesh gets as many faces as it has
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  typedef std::decay_t<decltype(choose_parameter(get_parameter(np, internal_np::radial_function), Polyharmonic_rbf()))>
-      Radial_function;
-
-  typedef Simple_cartesian<double> Kernel;
 
   if constexpr (leaves_embedding_and_function_open<NamedParameters>)
   {
-    const auto vpm =
-        choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, tmesh));
+    const auto vpm = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                                  get_const_property_map(vertex_point, tmesh));
     if (is_by_measured_error(np, number_of_faces_in(faces), [&] { return has_long_facets(faces, tmesh, vpm); }))
       return remesh_faces_by_error<ConcurrencyTag>(faces, tmesh, is_whole_mesh, np);
   }
@@ -240,34 +284,17 @@ Remeshing_result remesh_faces_on_built_surface(const FaceRange& faces, TriangleM
   Real_timer timer;
   timer.start();
   Remeshing_result result;
+  const auto remesh_on = [&](const auto& function, const auto& creases)
+  {
+    const double seconds = timer.time();
+    result = remesh_faces<ConcurrencyTag>(faces, tmesh, function, is_whole_mesh, np_of_rest, creases);
+    result.implicit_function_seconds = seconds;
+    result.number_of_patches = function.diagnostics().number_of_patches;
+    result.number_of_patches_on_fallback = function.diagnostics().patches_on_fallback;
+  };
   try
   {
-    const auto remesh_on = [&](const auto& function, const auto& creases)
-    {
-      const double seconds = timer.time();
-      result = remesh_faces<ConcurrencyTag>(faces, tmesh, function, is_whole_mesh, np_of_rest, creases);
-      result.implicit_function_seconds = seconds;
-      result.number_of_patches = function.diagnostics().number_of_patches;
-      result.number_of_patches_on_fallback = function.diagnostics().patches_on_fallback;
-    };
-    if constexpr (may_have_creases<NamedParameters>)
-    {
-      const auto edge_is_crease = get(dynamic_edge_property_t<bool>(), tmesh);
-      const auto face_region = get(dynamic_face_property_t<std::size_t>(), tmesh);
-      typedef Crease_maps<std::decay_t<decltype(edge_is_crease)>, std::decay_t<decltype(face_region)>> Creases;
-      if (find_creases(tmesh, np, edge_is_crease, face_region))
-      {
-        remesh_on(Piecewise_rbf_implicit_function<Kernel, Radial_function, ConcurrencyTag>(tmesh, face_region,
-                                                                                           keep_long_facets(np_of_function)),
-                  Creases{edge_is_crease, face_region});
-        return result;
-      }
-    }
-    if constexpr (!is_given<NamedParameters, internal_np::sharp_angle_t>)
-    {
-      typedef Rbf_implicit_function<Kernel, Radial_function, ConcurrencyTag> Function;
-      remesh_on(Function(tmesh, np_of_function), crease_maps<Function, TriangleMesh>(np));
-    }
+    build_function_of<ConcurrencyTag>(tmesh, np, np_of_function, remesh_on);
   }
   catch (const Interrupted&)
   {

@@ -250,23 +250,25 @@ Remeshing_parameters remeshing_parameters(const NamedParameters& np, const Embed
   return result;
 }
 
-// Whether nothing is asked of the embedding or of the function. Then a mesh with few faces is remeshed by measured error.
 template <typename NamedParameters, typename... Names>
 constexpr bool is_none_given = !(is_given<NamedParameters, Names> || ...);
+
+// whether nothing is asked of the function
+template <typename NamedParameters>
+constexpr bool leaves_function_open =
+    is_none_given<NamedParameters, internal_np::number_of_patches_t, internal_np::patch_overlap_t,
+                  internal_np::offset_distance_t, internal_np::relative_offset_distance_t, internal_np::two_sided_offsets_t,
+                  internal_np::smoothing_t, internal_np::points_on_facets_t, internal_np::detect_edges_t,
+                  internal_np::radial_function_t, internal_np::vertex_normal_map_t>;
+
+// Whether nothing is asked of the embedding or of the function. Then a mesh with few faces is remeshed by measured error.
 
 template <typename NamedParameters>
 constexpr bool leaves_embedding_and_function_open =
     (is_given<NamedParameters, internal_np::number_of_target_faces_t> || is_error_given<NamedParameters>)&&is_none_given<
         NamedParameters, internal_np::sigma_t, internal_np::relative_sigma_t, internal_np::embedding_t,
         internal_np::sizing_field_t, internal_np::project_borders_t, internal_np::split_ratio_t, internal_np::collapse_ratio_t,
-        internal_np::smoothing_ratio_t,
-        internal_np::number_of_relaxation_steps_t>&& is_none_given<NamedParameters, internal_np::number_of_patches_t,
-                                                                   internal_np::patch_overlap_t, internal_np::offset_distance_t,
-                                                                   internal_np::relative_offset_distance_t,
-                                                                   internal_np::two_sided_offsets_t, internal_np::smoothing_t,
-                                                                   internal_np::points_on_facets_t, internal_np::detect_edges_t,
-                                                                   internal_np::radial_function_t,
-                                                                   internal_np::vertex_normal_map_t>;
+        internal_np::smoothing_ratio_t, internal_np::number_of_relaxation_steps_t>&& leaves_function_open<NamedParameters>;
 
 // Whether the measured error leads where an error is asked for, and nothing of the embedding or the function.
 inline bool keeps_measured_error(const Remeshing_scheme scheme)
