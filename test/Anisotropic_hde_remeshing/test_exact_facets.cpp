@@ -221,15 +221,17 @@ void check_embedding(const Mesh& input, const double largest, const NamedParamet
   remeshing_checks::check_same_topology(input, mesh);
 }
 
-// Embeddings keep to the facets, too: the flat sides of a bar do not bulge, and arcs of few sides do not swell. Without a sharp
-// angle, the vertices are on the facets, and edges cut the corners, but no more than that.
-void test_embedding(const Mesh& input, const double height)
+// Embeddings keep to the facets, too: the flat sides of a bar do not bulge, and arcs of few sides do not swell. Edges cut across the
+// sides, by no more than the arc of this radius is high over them. Without a sharp angle, they cut the corners, by half of their
+// length.
+void test_embedding(const Mesh& input, const std::size_t sides, const double radius = 1)
 {
-  const double corner = 3 * height; // about half the length of an edge of 1000 faces
-  check_embedding(input, height, params::sharp_angle(40).embedding(Hde::Curvature_metric(2)));
-  check_embedding(input, height, params::sharp_angle(40).relative_sigma(0.02));
-  check_embedding(input, corner, params::embedding(Hde::Curvature_metric(2)));
-  check_embedding(input, corner, params::relative_sigma(0.02));
+  const double length = 4. / 3 * std::sqrt(4 / std::sqrt(3.) * PMP::area(input) / 1000); // longer ones are split
+  const double side = radius * cad_shapes::chord_height(sides), over_edge = side + length * length / (8 * radius);
+  check_embedding(input, 1.25 * side, params::sharp_angle(40).embedding(Hde::Curvature_metric(2))); // there are two curvatures
+  check_embedding(input, over_edge, params::sharp_angle(40).relative_sigma(0.02));
+  check_embedding(input, length / 2, params::embedding(Hde::Curvature_metric(2)));
+  check_embedding(input, length / 2, params::relative_sigma(0.02));
 }
 
 // The function is not of facets if anything is asked of it, or the paper's scheme: it rounds a cube, inside of a face, too.
@@ -248,9 +250,10 @@ void test_function_asked_for()
         inside = (std::min)({inside, std::abs(p[i]), std::abs(1 - p[i])});
       largest = (std::max)(largest, inside);
     }
+    std::cout << "cube: vertices up to " << largest << " off its faces" << std::endl;
     return largest;
   };
-  CHECK(distance_of_vertices(params::do_split(true)) < 1e-12);
+  CHECK(distance_of_vertices(params::do_split(true)) < 1e-6);
   CHECK(distance_of_vertices(params::detect_edges(false)) > 1e-3);
   CHECK(distance_of_vertices(params::remeshing_scheme(Hde::Remeshing_scheme::PAPER)) > 1e-4);
 }
@@ -270,10 +273,10 @@ int main()
   test_shapes();
   test_fewer_faces();
   test_what_is_exact();
-  test_embedding(cad_shapes::cylinder(12, 3, true), cad_shapes::chord_height(12));
-  test_embedding(cad_shapes::bar_with_fillets(3, 3), cad_shapes::chord_height(12));
-  test_embedding(cad_shapes::elbow(12, 1, true), cad_shapes::chord_height(12));
-  test_embedding(cad_shapes::plate(3, 1), cad_shapes::chord_height(12));
+  test_embedding(cad_shapes::cylinder(12, 3, true), 12);
+  test_embedding(cad_shapes::bar_with_fillets(3, 3), 12, 0.5);
+  test_embedding(cad_shapes::elbow(12, 1, true), 12);
+  test_embedding(cad_shapes::plate(3, 1), 12);
   test_function_asked_for();
   test_lone_faces();
   test_any_number();
