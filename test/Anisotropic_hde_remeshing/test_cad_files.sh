@@ -82,6 +82,12 @@ run tube_12.off 1000 1e-9 --sharp 40
 run tube_12.off 1000 8e-3 --sharp 40 --metric 2
 check "an embedding on long facets is told" "$(grep -c 'long and exact facets' figures.json) == 1"
 run tube_12.off 150 8e-3
+# without --sharp the vertices are on the facets, and edges cut the corners, which is told; with a kernel it is its function
+run tube_12.off 1000 4e-2 --metric 2
+check "rounded creases are told" "$(grep -c 'D from OUT' figures.json) == 1"
+check "the function is that of the facets" "$(grep -c '"closest_point_regions": 1' figures.json) == 1"
+run tube_12.off 1000 8e-2 --metric 2 --kernel thin-plate
+check "the function is that of the kernel" "$(grep -c 'closest_point_regions' figures.json) == 0"
 
 echo "$passed passed, $failed failed"
 [ $failed -eq 0 ]
