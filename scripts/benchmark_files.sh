@@ -11,8 +11,8 @@
 # dialects of the formats, meshes far from the origin, outlines, walls, faces without area, noise. They are made by the benchmark;
 # meshes given are tried, too, with options that users try, or with those behind a colon. Prints a line for each run: what was asked
 # for and what came, distances both ways beside those of CGAL's edge collapse, boundary loops, components, intersections, time,
-# memory, and what was said; marks what is beyond its limit, see benchmark_files.cpp. The exit status is 0 if nothing is. About five
-# minutes; with --all, which has more numbers of sides and rings, 20. --only GROUP makes one kind of them: cad, cracks, dialects,
+# memory, and what was said; marks what is beyond its limit, see benchmark_files.cpp. The exit status is 0 if nothing is. About eight
+# minutes; with --all, which has more numbers of sides and rings, 30. --only GROUP makes one kind of them: cad, cracks, dialects,
 # far, outlines, flaws, or none.
 # Usage: scripts/benchmark_files.sh [--all] [--only GROUP] [MESH[:OPTIONS OF hde_remesh]...]
 # For example: scripts/benchmark_files.sh --only none 'part.stl:--sharp 30 --faces 1000'
