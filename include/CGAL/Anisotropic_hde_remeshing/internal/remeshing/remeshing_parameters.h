@@ -262,7 +262,6 @@ constexpr bool leaves_function_open =
                   internal_np::radial_function_t, internal_np::vertex_normal_map_t>;
 
 // Whether nothing is asked of the embedding or of the function. Then a mesh with few faces is remeshed by measured error.
-
 template <typename NamedParameters>
 constexpr bool leaves_embedding_and_function_open =
     (is_given<NamedParameters, internal_np::number_of_target_faces_t> || is_error_given<NamedParameters>)&&is_none_given<
