@@ -84,7 +84,7 @@ agree on about the opposite one, and dropped if it is more than 60 degrees off t
 of shapes with detail as fine as the spacing, up to 1 in 200 points was lost. More than a tenth of the points are never taken
 for outliers, nor more than a tenth of the normals for wrong ones.
 
-<b>Holes.</b> Where data are missing over more than about six spacings, or a mesh has a boundary, the function is closed: it is positive
+<b>Holes.</b> Where points are missing over more than about six spacings, or a mesh has a hole as wide, the function is closed: it is positive
 on the `bounding_sphere()` and beyond, so the zero set is bounded. Within a spacing or two of the data, and wherever they are nearer than
 half the distance to the rim of a hole, nothing is changed. Further away the function passes to a smooth one from a few hundred well-spread
 points, so the surface goes on smoothly from the rims. Around the whole it is positive, and negative where most directions look at the
