@@ -140,7 +140,7 @@ std::size_t number_of_points(const PointRange& range)
                                       CGAL::parameters::Default_named_parameters>()));
   internal::Interruption never;
   return internal::sample_points<CGAL::Sequential_tag>(range, CGAL::First_of_pair_property_map<Item>(),
-                                                       CGAL::Second_of_pair_property_map<Item>(), false, never)
+                                                       CGAL::Second_of_pair_property_map<Item>(), false, false, never)
       .size();
 }
 
