@@ -170,6 +170,23 @@ locations are in a map that it does not keep itself.
     \cgalParamType{bool}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
+  \cgalParamNBegin{shape_weight}
+    \cgalParamDescription{by measured error only: what the shape of a face costs. A ratio of its longest edge to the altitude over it
+                          costs nothing up to 4, and `shape_weight` mean errors of a face for each 4 more, up to six times as much.
+                          With 0, triangles are as long as the distance wants them; large weights make them rounder, and the distance
+                          larger.}
+    \cgalParamType{a number, 0 or more}
+    \cgalParamDefault{2; 0.1 with `fit_to_surface`}
+  \cgalParamNEnd
+  \cgalParamNBegin{aspect_ratio_bound}
+    \cgalParamDescription{by measured error only: the ratio of the longest edge to the altitude over it that faces shall not exceed, for
+                          meshes to compute on. No operation leaves a face beyond it that was not, and faces beyond it are dear. Faces
+                          that cannot be better, as between creases and beside constrained edges, stay, and
+                          `Anisotropic_hde_remeshing::Remeshing_result::number_of_faces_beyond_aspect_ratio` counts them, by any
+                          scheme.}
+    \cgalParamType{a number, 1.2 or more; an equilateral triangle has 1.15}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
   \cgalParamNBegin{project_borders}
     \cgalParamDescription{whether the vertices of the boundary are put on the zero set, too. Otherwise they stay on the boundary of the
                           input, which is off the surface by the height of its edges, or as far as the input is. A vertex goes

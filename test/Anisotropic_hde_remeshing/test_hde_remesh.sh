@@ -263,6 +263,10 @@ check "a cube with --sharp" run 0 cube.off w.off --faces 200 --sharp 30
 check "has none of it" [ ! -s stderr ]
 check "an option of the function by measured error" run 0 $sphere w.off --faces 500 --scheme measured-error --kernel gaussian $quick
 check "is told to have no effect" says "--kernel has no effect: by measured error there is no function"
+check "a bound on aspect ratios by an embedding" run 0 $sphere w.off --faces 500 --sigma .1 --aspect-ratio 3 $quick
+check "has no effect" says "--aspect-ratio has no effect by an embedding"
+check "a bound on aspect ratios and a weight" run 0 $sphere w.off --faces 500 --aspect-ratio 3 --shape-weight 5 --json w.json $quick
+check "are counted" grep -q "\"faces_beyond_aspect_ratio\":" w.json
 printf 'OFF\n5 4\n0 0 0\n1 0 0\n.5 0 0\n.5 1 0\n.5 -1 0\n3 0 2 3\n3 2 1 3\n3 0 1 2\n3 1 0 4\n' >flat.off
 check "a face without area" run 0 flat.off w.off --iterations 0 --json w.json
 check "is flipped" says "note: 1 faces without area are contracted or flipped"
@@ -303,6 +307,8 @@ for value in 0 180 -30 nan inf; do
 done
 refuses 1 "-1" $sphere precious.off --iterations -1
 refuses 1 "1.5" $sphere precious.off --smoothing-ratio 1.5
+refuses 1 "--aspect-ratio must be 1.2 or more, not 1" $sphere precious.off --aspect-ratio 1
+refuses 1 "-1" $sphere precious.off --shape-weight -1
 
 # ------------------------------------------------------------------------------------------------------------- bad files
 refuses 1 "missing.off" missing.off precious.off --json precious.json

@@ -326,6 +326,42 @@ void test_self_intersections()
   CHECK(mesh.number_of_faces() < input.number_of_faces() / 2);
 }
 
+// With a bound on the aspect ratio, far fewer faces are beyond it, they are counted, and it costs distance. A weight does the same.
+void test_shape_of_faces()
+{
+  const Mesh input = bumpy_sphere(4);
+  const double bound = 3;
+  const auto share_beyond = [&](const auto& np)
+  {
+    Mesh mesh = input;
+    const Hde::Remeshing_result result = CGAL::anisotropic_hde_remeshing<Tag>(mesh, np.number_of_target_faces(1000));
+    std::size_t number = 0;
+    for (const auto f : mesh.faces())
+    {
+      const auto h = mesh.halfedge(f);
+      const Point_3 &a = mesh.point(mesh.source(h)), &b = mesh.point(mesh.target(h)),
+                    &c = mesh.point(mesh.target(mesh.next(h)));
+      const double longest =
+          (std::max)({CGAL::squared_distance(a, b), CGAL::squared_distance(b, c), CGAL::squared_distance(c, a)});
+      number += longest > bound * 2 * std::sqrt(CGAL::squared_area(a, b, c)) ? 1 : 0;
+    }
+    const std::size_t told = result.number_of_faces_beyond_aspect_ratio;
+    CHECK(told == number || told == 0);
+    CHECK(result.warnings().empty() == (told == 0));
+    const double rms = Hde::measure_distance<Tag>(mesh, input).rms();
+    std::cout << "beyond an aspect ratio of " << bound << ": " << number << " of " << mesh.number_of_faces() << " faces, told "
+              << told << ", rms " << rms << std::endl;
+    remeshing_checks::check_same_topology(input, mesh);
+    return std::make_pair(double(number) / double(mesh.number_of_faces()), rms);
+  };
+  const auto free = share_beyond(params::shape_weight(0)), usual = share_beyond(params::do_split(true)),
+             heavy = share_beyond(params::shape_weight(20)), bounded = share_beyond(params::aspect_ratio_bound(bound));
+  CHECK(bounded.first < usual.first / 2);
+  CHECK(heavy.first < usual.first && usual.first < free.first);
+  CHECK(free.second < 1.05 * usual.second);
+  CHECK(usual.second < bounded.second);
+}
+
 int main()
 {
   test_closest_point();
@@ -342,5 +378,6 @@ int main()
   test_creases();
   test_stopping();
   test_self_intersections();
+  test_shape_of_faces();
   return check_summary();
 }

@@ -154,6 +154,7 @@ void test_invalid_parameters()
     CHECK(contains(message_of_one_call(mesh, sigma(bad)), "sigma is"));
     CHECK(contains(message_of(mesh, target_edge_length(bad)), "target_edge_length is"));
     CHECK(contains(message_of(mesh, smoothing_ratio(bad)), "smoothing_ratio is"));
+    CHECK(contains(message_of(mesh, shape_weight(bad)), "shape_weight is"));
     CHECK(contains(message_of(mesh, collapse_ratio(bad)), "collapse_ratio is"));
     CHECK(contains(message_of(mesh, split_ratio(bad)), "split_ratio is"));
   }
@@ -184,6 +185,9 @@ void test_invalid_parameters()
   CHECK(contains(message_of(mesh, number_of_relaxation_steps(-1)), "number_of_relaxation_steps is -1"));
   CHECK(contains(message_of(mesh, number_of_iterations(-1u)), "(-1 as an unsigned number)"));
   CHECK(contains(message_of(mesh, smoothing_ratio(1.01)), "smoothing_ratio is 1.01"));
+  CHECK(contains(message_of(mesh, aspect_ratio_bound(1.1)), "aspect_ratio_bound is 1.1: it must be at least 1.2"));
+  CHECK(contains(message_of(mesh, aspect_ratio_bound(nan_value)), "aspect_ratio_bound is nan"));
+  CHECK(contains(message_of(mesh, shape_weight(-1)), "shape_weight is -1"));
   CHECK(contains(message_of(mesh, collapse_ratio(1.5)), "collapse_ratio is 1.5"));
   CHECK(contains(message_of(mesh, split_ratio(0.9)), "split_ratio is 0.9"));
   CHECK(contains(message_of_one_call(mesh, number_of_patches(0)), "number_of_patches is 0"));

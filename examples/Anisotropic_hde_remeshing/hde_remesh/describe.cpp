@@ -73,6 +73,10 @@ void warn_of_options(const Options& options, const Remeshed& remeshed, Report& r
         report.warnings.push_back(std::string(name) + " has no effect: by measured error there is no function");
     return;
   }
+  for (const auto& [name, is_given] :
+       {std::make_pair("--aspect-ratio", options.aspect_ratio), std::make_pair("--shape-weight", options.shape_weight)})
+    if (is_given)
+      report.warnings.push_back(std::string(name) + " has no effect by an embedding: --scheme measured-error takes it");
   const std::size_t number = remeshed.rbf ? remeshed.rbf->number_of_patches : remeshed.pieces->number_of_patches,
                     on_fallback = remeshed.rbf ? remeshed.rbf->patches_on_fallback : remeshed.pieces->patches_on_fallback;
   if ((options.smoothing || options.automatic_smoothing) && 2 * on_fallback > number)

@@ -125,6 +125,11 @@ void add_size_options(CLI::App& app, Options& o)
   app.add_flag("--fit", o.fit,
                "move the vertices off the surface in the end, to where the distance is least; by measured error, where they\n"
                "are off it anyway: more iterations, and hardly a price of long triangles");
+  app.add_option("--aspect-ratio", o.aspect_ratio,
+                 "by measured error: the longest edge over the altitude that triangles shall not exceed, 2 for a mesh to\n"
+                 "compute on (an equilateral triangle has 1.15)");
+  app.add_option("--shape-weight", o.shape_weight,
+                 "by measured error: what long triangles cost, 0 for the least distance (default 2; with --fit 0.1)");
 }
 
 void add_function_options(CLI::App& app, Options& o)
@@ -258,6 +263,8 @@ void check_values(const Options& o)
   require_length("--error", o.error);
   require_length("--absolute-error", o.absolute_error);
   require_length("--length", o.length);
+  require("--aspect-ratio", o.aspect_ratio, o.aspect_ratio && *o.aspect_ratio >= 1.2, "1.2 or more");
+  require_length("--shape-weight", o.shape_weight, true);
   require_count("--faces", o.faces);
   require_count("--vertices", o.vertices);
   require_count("--patches", o.patches);

@@ -27,6 +27,7 @@ struct Options
   std::optional<double> error, absolute_error; // a fraction of the diagonal; a length
   std::optional<double> sharp;                 // an angle in degrees
   bool fit = false, avoid_self_intersections = true;
+  std::optional<double> shape_weight, aspect_ratio;
   std::optional<long long> faces, vertices; // signed, so that a negative count can be named
   std::optional<double> length;
   std::string kernel = "r3";

@@ -15,6 +15,8 @@
 
 #include <CGAL/anisotropic_hde_remeshing.h>
 
+#include <limits>
+
 namespace hde_remesh {
 
 namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
@@ -35,19 +37,26 @@ template <typename NamedParameters>
 Remeshing_result remesh_with_all(Mesh& mesh, const Function_view& function, const Options& o, const NamedParameters& np,
                                  const bool is_split_only = false)
 {
+  namespace Hde_internal = CGAL::Anisotropic_hde_remeshing::internal;
   // what the scheme has where nothing is given
-  const auto defaults = CGAL::Anisotropic_hde_remeshing::internal::iteration_parameters(np);
+  const auto defaults = Hde_internal::iteration_parameters(np);
+  const unsigned int number_of_iterations =
+      is_split_only
+          ? 0
+          : Hde_internal::default_number_of_iterations(defaults.scheme, Hde_internal::is_error_given<NamedParameters>);
   const Creases creases = creases_of(mesh);
   const Remeshing_result result = CGAL::anisotropic_hde_remeshing<CGAL::Parallel_if_available_tag>(
       mesh, function,
       np.face_patch_map(creases.region)
           .edge_is_constrained_map(creases.is_crease)
-          .number_of_iterations(o.iterations.value_or(is_split_only ? 0 : defaults.number_of_iterations))
+          .number_of_iterations(o.iterations.value_or(number_of_iterations))
           .number_of_relaxation_steps(o.relaxation_steps.value_or(defaults.number_of_relaxation_steps))
           .smoothing_ratio(o.smoothing_ratio.value_or(defaults.smoothing_ratio))
           .collapse_ratio(o.collapse_ratio.value_or(defaults.collapse_ratio))
           .split_ratio(o.split_ratio.value_or(defaults.split_ratio))
           .fit_to_surface(o.fit)
+          .shape_weight(o.shape_weight.value_or(Hde_internal::default_shape_weight(o.fit)))
+          .aspect_ratio_bound(o.aspect_ratio.value_or(std::numeric_limits<double>::infinity()))
           .do_self_intersection_tests(o.avoid_self_intersections));
   if (mesh.has_garbage())
     mesh.collect_garbage();

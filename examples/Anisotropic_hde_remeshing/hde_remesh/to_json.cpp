@@ -159,6 +159,7 @@ Json to_json(const Hde::Remeshing_result& result)
           {"projections_closest_point", result.projections.closest_point},
           {"unprojected_vertices", result.number_of_unprojected_vertices},
           {"needles", result.number_of_needles},
+          {"faces_beyond_aspect_ratio", result.number_of_faces_beyond_aspect_ratio},
           {"lone_faces", result.number_of_lone_faces},
           {"long_facets", result.has_long_facets}};
 }

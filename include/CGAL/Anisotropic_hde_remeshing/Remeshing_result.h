@@ -82,6 +82,8 @@ struct Remeshing_result
   std::size_t number_of_target_faces = 0;
   std::size_t number_of_faces = 0;   ///< the faces that have replaced the remeshed ones; 0 if the mesh stays as it was
   std::size_t number_of_needles = 0; ///< of these, the faces with an aspect ratio of more than `needle_aspect_ratio`
+  /// of these, the faces beyond `aspect_ratio_bound`, by any scheme; 0 without it
+  std::size_t number_of_faces_beyond_aspect_ratio = 0;
   /// of these, the faces that share no edge with another one. Many of them, in a mesh that should be connected, are a sign of points
   /// that coincide and should be one.
   std::size_t number_of_lone_faces = 0;
@@ -131,7 +133,7 @@ struct Remeshing_result
   }
 
   /// what a caller should know before using the mesh, a line for each: that the number of faces is missed, that more faces intersect
-  /// than before, and that there are needles. It is empty if all is well. The distance to the input is not known here, see
+  /// than before, that there are needles, and that the bound on aspect ratios is missed. It is empty if all is well. The distance to the input is not known here, see
   /// `measure_distance()`.
   std::vector<std::string> warnings() const
   {
@@ -145,6 +147,9 @@ struct Remeshing_result
     if (number_of_needles > 0)
       result.push_back(std::to_string(number_of_needles) + " of " + std::to_string(number_of_faces) +
                        " faces are needles, with an aspect ratio above " + std::to_string(int(needle_aspect_ratio)));
+    if (number_of_faces_beyond_aspect_ratio > 0)
+      result.push_back(std::to_string(number_of_faces_beyond_aspect_ratio) + " of " + std::to_string(number_of_faces) +
+                       " faces are beyond the bound on aspect ratios");
     return result;
   }
 

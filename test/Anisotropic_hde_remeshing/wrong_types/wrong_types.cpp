@@ -94,6 +94,8 @@ void remeshing()
   remesh(approximation_error("1e-3")); // the named parameter approximation_error takes a number
   remesh(relative_approximation_error(mesh)); // the named parameter relative_approximation_error takes a number
   remesh(fit_to_surface("yes")); // the named parameter fit_to_surface takes a Boolean
+  remesh(shape_weight("2")); // the named parameter shape_weight takes a number
+  remesh(aspect_ratio_bound("2")); // the named parameter aspect_ratio_bound takes a number
   remesh(project_borders("yes")); // the named parameter project_borders takes a Boolean
   remesh(number_of_iterations(mesh)); // the named parameter number_of_iterations takes an integer
   remesh(number_of_relaxation_steps("3")); // the named parameter number_of_relaxation_steps takes an integer

@@ -306,6 +306,8 @@ struct Parameters_of_remeshing
   {
     return Parameters_of_sizes::template accepts<NamedParameters, Subject>() &&
            Takes_fit_to_surface::template accepts<NamedParameters, Subject>() &&
+           Takes_shape_weight::template accepts<NamedParameters, Subject>() &&
+           Takes_aspect_ratio_bound::template accepts<NamedParameters, Subject>() &&
            Takes_project_borders::template accepts<NamedParameters, Subject>() &&
            Takes_number_of_iterations::template accepts<NamedParameters, Subject>() &&
            Takes_number_of_relaxation_steps::template accepts<NamedParameters, Subject>() &&

@@ -61,11 +61,8 @@ class Error_remesher
   static constexpr double largest_number_of_samples = 1e9; // where this is many: their indices have 32 bits
   static constexpr double share_exchanged = 0.1;           // of the vertices, in a round
   static constexpr double share_of_coarsening = 0.3;       // of the progress that is told
-  // Longest edge over altitude: up to the first a shape is free, above the second no operation makes it worse.
-  static constexpr double free_ratio = 4, largest_ratio = 40;
   static constexpr int refinements_without_progress = 10;
   static constexpr double share_in_the_mean = 0.7; // of the distance that samples may have
-  static constexpr double price_of_shape = 2, price_of_shape_for_least_distance = 0.1;
 
 public:
   // Samples stay below a share of the error, because between them the distance is larger.
@@ -80,7 +77,7 @@ public:
       m_interruption(visitor.interruption()),
       m_distance_of_samples(share_of_error * parameters.error),
       m_number_of_rounds(parameters.fit_to_surface ? 5 * parameters.number_of_iterations / 2 : parameters.number_of_iterations),
-      m_price(parameters.fit_to_surface ? price_of_shape_for_least_distance : price_of_shape, free_ratio, largest_ratio)
+      m_price(parameters.shape_weight, parameters.aspect_ratio_bound)
   {
   }
 

@@ -16,6 +16,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_result.h>
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_visitor.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/functions/pieces.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Space_triangle.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/geometry/aspect_ratio.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Interruption.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/parallel.h>
@@ -95,6 +96,19 @@ std::size_t number_of_needles(const Mesh& mesh)
   {
     const Triangle t(mesh.halfedge(f), mesh);
     number += aspect_ratio(mesh.point(t.a).point, mesh.point(t.b).point, mesh.point(t.c).point) > needle_aspect_ratio ? 1 : 0;
+  }
+  return number;
+}
+
+// counts faces whose longest edge is longer than `bound` times the altitude over it
+template <typename Mesh>
+std::size_t number_of_faces_beyond(const Mesh& mesh, const double bound)
+{
+  std::size_t number = 0;
+  for (const Face_index f : mesh.faces())
+  {
+    const Triangle t(mesh.halfedge(f), mesh);
+    number += Space_triangle{mesh.point(t.a).point, mesh.point(t.b).point, mesh.point(t.c).point}.ratio() > bound ? 1 : 0;
   }
   return number;
 }
@@ -306,6 +320,8 @@ private:
       m_result.number_of_target_faces = std::size_t(target.number_of_faces());
     m_result.number_of_faces = m_mesh.number_of_faces();
     m_result.number_of_needles = number_of_needles(m_mesh);
+    if (m_parameters.aspect_ratio_bound > 0)
+      m_result.number_of_faces_beyond_aspect_ratio = number_of_faces_beyond(m_mesh, m_parameters.aspect_ratio_bound);
     m_result.number_of_lone_faces = number_of_lone_faces(m_mesh);
     m_result.has_long_facets = m_parameters.has_long_facets;
   }

@@ -28,6 +28,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <string>
@@ -48,6 +49,8 @@ struct Remeshing_parameters
   double collapse_ratio = 0.8;
   double split_ratio = 4. / 3;
   bool fit_to_surface = false;
+  double shape_weight = 2;       // by measured error
+  double aspect_ratio_bound = 0; // of the longest edge to the altitude over it; 0 if none is asked for
   bool project_borders = false;
   Allowed_operations allowed;
   bool has_long_facets = false; // whether the facets of the input are the long and exact ones of a CAD program
@@ -71,6 +74,25 @@ Allowed_operations allowed_operations(const NamedParameters& np)
   result.collapse_on_curves = choose_parameter(get_parameter(np, internal_np::collapse_constraints), true);
   result.smooth_on_curves = choose_parameter(get_parameter(np, internal_np::relax_constraints), true);
   return result;
+}
+
+// An equilateral triangle has 1.15, and no surface is covered by these alone. Infinite: none is asked for.
+inline double checked_aspect_ratio_bound(const double bound)
+{
+  if (!(bound >= 1.2))
+    throw_invalid_argument("aspect_ratio_bound", bound, "at least 1.2");
+  return std::isinf(bound) ? 0 : bound;
+}
+
+// Where vertices move to the least distance, shape hardly counts.
+inline double default_shape_weight(const bool is_fitted) { return is_fitted ? 0.1 : Remeshing_parameters().shape_weight; }
+
+// By measured error fewer are enough; where an error is kept, more of them save faces.
+inline unsigned int default_number_of_iterations(const Remeshing_scheme scheme, const bool keeps_error)
+{
+  if (scheme != Remeshing_scheme::MEASURED_ERROR)
+    return Remeshing_parameters().number_of_iterations;
+  return keeps_error ? 6 : 4;
 }
 
 // those that are no lengths
@@ -100,6 +122,11 @@ Remeshing_parameters iteration_parameters(const NamedParameters& np)
   result.split_ratio =
       checked_between("split_ratio", choose_parameter(get_parameter(np, internal_np::split_ratio), result.split_ratio), 1, 100);
   result.fit_to_surface = choose_parameter(get_parameter(np, internal_np::fit_to_surface), false);
+  result.shape_weight =
+      checked_not_negative("shape_weight", CGAL::to_double(choose_parameter(get_parameter(np, internal_np::shape_weight),
+                                                                            default_shape_weight(result.fit_to_surface))));
+  if constexpr (is_given<NamedParameters, internal_np::aspect_ratio_bound_t>)
+    result.aspect_ratio_bound = checked_aspect_ratio_bound(CGAL::to_double(get_parameter(np, internal_np::aspect_ratio_bound)));
   result.project_borders = choose_parameter(get_parameter(np, internal_np::project_borders), false);
   result.allowed = allowed_operations(np);
   if (result.scheme == Remeshing_scheme::MEASURED_ERROR && !result.allowed.has_all_of_mesh())
@@ -245,8 +272,7 @@ Remeshing_parameters remeshing_parameters(const NamedParameters& np, const Embed
   if (result.scheme == Remeshing_scheme::MEASURED_ERROR && !has_measured_error)
     result.scheme = Remeshing_scheme::EMBEDDING;
   if constexpr (!is_given<NamedParameters, internal_np::number_of_iterations_t>)
-    if (result.scheme == Remeshing_scheme::MEASURED_ERROR)
-      result.number_of_iterations = result.error > 0 ? 6 : 4; // where an error is kept, more of them save faces
+    result.number_of_iterations = default_number_of_iterations(result.scheme, result.error > 0);
   return result;
 }
 

@@ -22,27 +22,39 @@ namespace internal {
 // What the shape of a face costs, in mean errors of a face: so long triangles stand where they pay and nowhere else.
 class Shape_price
 {
-  static constexpr double largest_multiple = 6;
+  static constexpr double usual_free_ratio = 4, usual_largest_ratio = 40, share_of_bound = 0.8;
+  static constexpr double largest_multiple = 6;                            // of the free ratio
+  static constexpr double weight_beyond = 50, largest_multiple_beyond = 3; // of the bound that is asked for
 
 public:
-  // A ratio of the longest edge to the altitude above `free_ratio` costs `price` mean errors of a face for each such ratio more.
-  Shape_price(const double price, const double free_ratio, const double largest_ratio)
-    : m_price(price), m_free_ratio(free_ratio), m_largest_ratio(largest_ratio)
+  // Ratios are those of the longest edge to the altitude over it. A ratio costs nothing up to 4, or up to a bit less than the bound
+  // that is asked for, and `weight` mean errors of a face for each such ratio more. Beyond the bound it is dear. `bound` is 0 if none is
+  // asked for.
+  Shape_price(const double weight, const double bound)
+    : m_weight(weight),
+      m_weight_beyond(bound > 0 ? weight_beyond : 0.),
+      m_free_ratio(bound > 0 ? (std::min)(usual_free_ratio, share_of_bound * bound) : usual_free_ratio),
+      m_largest_ratio(bound > 0 ? bound : usual_largest_ratio)
   {
   }
 
   void set_mean_cost(const double mean_cost) { m_mean_cost = mean_cost; }
   double mean_cost() const { return m_mean_cost; }
   double free_ratio() const { return m_free_ratio; }
+  // no operation leaves a face with more, unless it had more before
   double largest_ratio() const { return m_largest_ratio; }
 
   double operator()(const Space_triangle& t) const
   {
-    return m_price * m_mean_cost * (std::min)(largest_multiple, (std::max)(0., t.ratio() / m_free_ratio - 1));
+    const double ratio = t.ratio();
+    return m_mean_cost * (m_weight * multiple(ratio / m_free_ratio, largest_multiple) +
+                          m_weight_beyond * multiple(ratio / m_largest_ratio, largest_multiple_beyond));
   }
 
 private:
-  double m_price, m_free_ratio, m_largest_ratio;
+  static double multiple(const double ratio, const double largest) { return (std::min)(largest, (std::max)(0., ratio - 1)); }
+
+  double m_weight, m_weight_beyond, m_free_ratio, m_largest_ratio;
   double m_mean_cost = 0;
 };
 
