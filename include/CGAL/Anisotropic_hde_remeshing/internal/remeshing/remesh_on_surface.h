@@ -278,8 +278,8 @@ Remeshing_result remesh_faces_on_built_surface(const FaceRange& faces, TriangleM
   Visitor_parameter<NamedParameters> visitor = visitor_parameter(np, nobody);
   typedef Visitor_of_part<std::remove_reference_t<decltype(visitor)>> Visitor;
   Visitor of_function(visitor, 0, share_of_function), of_rest(visitor, share_of_function, 1);
-  const auto np_of_function = parameters::begin_with(np).visitor(std::ref(of_function)).close_holes(false),
-             np_of_rest = parameters::begin_with(np).visitor(std::ref(of_rest));
+  const auto np_of_function = parameters::begin_with(np).visitor(std::ref(of_function)).close_holes(false);
+  const auto np_of_rest = parameters::begin_with(np).visitor(std::ref(of_rest));
   visitor.stage_started(Stage::IMPLICIT_FUNCTION);
   Real_timer timer;
   timer.start();
