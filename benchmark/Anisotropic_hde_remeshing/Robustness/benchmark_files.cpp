@@ -17,9 +17,8 @@
 // components and pairs of faces that intersect, before and after; the share of the area that is turned over; seconds, and
 // megabytes, where these are more than the benchmark's own; and the last of what was said. "!" marks what is beyond its limit:
 // asked:      the number of faces is missed by more than 2%, or the error is not kept, and nothing is said
-// distance:   it is more than that of the collapse and the height of an arc over a side. By an embedding, which asks for lengths, it
-//             is that over an edge of the result where this is longer. Without --sharp, creases may be off by .01 of the diagonal,
-//             and by more if a line tells of them
+// distance:   it is more than that of the collapse and the height of an arc over a side. By an embedding without --sharp, creases
+//             may be off by .01 of the diagonal, and by more if a line tells of them
 // topology:   not that of what was meant
 // turned:     any of the area looks against the nearest facets
 // time:       more than 3 s, for at most 2,000 triangles and 1,000 asked for
@@ -35,7 +34,6 @@
 #include <CGAL/Anisotropic_hde_remeshing/quality_measures.h>
 
 #include <CGAL/IO/polygon_soup_io.h>
-#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_filter.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_cost.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_placement.h>
@@ -112,8 +110,8 @@ std::optional<Mesh> read(const std::string& file)
 }
 
 // The largest height of an arc over a side, if the edges of the mesh that turn by less than 60 degrees stand for arcs. The sides of
-// an arc are equal: of the two at an edge, the shorter one counts. If they are shorter than `length`, it is the height over this.
-double arc_height(const Mesh& mesh, const double length)
+// an arc are equal: of the two at an edge, the shorter one counts.
+double arc_height(const Mesh& mesh)
 {
   double result = 0;
   const auto altitude = [&](const Mesh::Halfedge_index h)
@@ -129,17 +127,10 @@ double arc_height(const Mesh& mesh, const double length)
     const double turn = 180 - std::abs(CGAL::approximate_dihedral_angle(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
                                                                         mesh.point(mesh.target(mesh.next(h))),
                                                                         mesh.point(mesh.target(mesh.next(o)))));
-    const double side = (std::min)(altitude(h), altitude(o)), chord = (std::max)(side, length);
-    if (turn < 60 && side > 0)
-      result = (std::max)(result, chord * chord / side * turn * shapes::pi / 180 / 8);
+    if (turn < 60)
+      result = (std::max)(result, (std::min)(altitude(h), altitude(o)) * turn * shapes::pi / 180 / 8);
   }
   return result;
-}
-
-// that of an edge of so many equilateral faces, and a third more: longer ones are split
-double longest_edge_of(const Mesh& mesh, const std::size_t number_of_faces)
-{
-  return 4. / 3 * std::sqrt(4 / std::sqrt(3.) * CGAL::Polygon_mesh_processing::area(mesh) / double(number_of_faces));
 }
 
 // the share of the area of which the normal is against that of the nearest facet
@@ -310,10 +301,10 @@ private:
       rms = distance.rms();
       max = distance.max();
     }
-    const bool is_by_embedding = json["scheme"] != "measured-error";
-    const double height = arc_height(*meant, is_by_embedding ? longest_edge_of(*meant, json["after"]["topology"]["faces"]) : 0);
-    const double rounding = json.contains("sharp") ? 1e-9 : largest_rounding_of_creases;
-    const bool is_told = !json.contains("sharp") && says(json, " D from OUT");
+    const double height = arc_height(*meant);
+    const bool may_round_creases = json["scheme"] != "measured-error" && !json.contains("sharp");
+    const double rounding = may_round_creases ? largest_rounding_of_creases : 1e-9;
+    const bool is_told = may_round_creases && says(json, " D from OUT");
     const bool is_far = json["distance"]["rms"].get<double>() > rms + height + rounding * d ||
                         json["distance"]["max"].get<double>() > max + height + rounding * d;
     return mark(scientific(rms / d) + " " + scientific(max / d), is_far && c.is_cad && !is_told);

@@ -115,6 +115,7 @@ private:
     Vector point, normal;
     double height;
   };
+
   void set_grids(const std::vector<Indexed_triangle>& triangles, const double length)
   {
     Eigen::AlignedBox3d box;
