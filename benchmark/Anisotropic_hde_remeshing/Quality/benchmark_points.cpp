@@ -203,53 +203,13 @@ void add_row(Table& table, const Shape& shape, const std::string& what, const Po
             errors.largest / shape.diagonal, errors.angle, f->diagnostics().patches_on_fallback, seconds);
 }
 
-// the number of components of the sign on a grid around the shape, without the outside: 1 for one solid without a hollow
-int number_of_components(const Function& f, const Shape& shape)
+constexpr int resolution_of_grid = 60;
+
+// the number of parts of the sign on a grid around the shape, without the outside: 1 for one solid without a hollow
+int number_of_components(const Function& f)
 {
-  static constexpr int n = 60;
-  CGAL::Bbox_3 box;
-  for (const auto& [p, normal] : shape.clean)
-    box += p.bbox();
-  const auto index = [](const int i, const int j, const int k) { return (i * n + j) * n + k; };
-  std::vector<char> is_inside(n * n * n), is_seen(n * n * n, 0);
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j)
-      for (int k = 0; k < n; ++k)
-      {
-        const auto at = [&](const int axis, const int step)
-        { return box.min(axis) + (1.2 * step / (n - 1) - 0.1) * (box.max(axis) - box.min(axis)); };
-        is_inside[index(i, j, k)] = f(Point_3(at(0, i), at(1, j), at(2, k))) < 0;
-      }
-  int result = -1;
-  std::vector<int> stack;
-  for (int start = 0; start < n * n * n; ++start)
-  {
-    if (is_seen[start])
-      continue;
-    ++result;
-    stack.assign(1, start);
-    is_seen[start] = 1;
-    while (!stack.empty())
-    {
-      const int at = stack.back(), i = at / n / n, j = at / n % n, k = at % n;
-      stack.pop_back();
-      const auto visit = [&](const int x, const int y, const int z)
-      {
-        if ((std::min)({x, y, z}) < 0 || (std::max)({x, y, z}) >= n || is_seen[index(x, y, z)] ||
-            is_inside[index(x, y, z)] != is_inside[at])
-          return;
-        is_seen[index(x, y, z)] = 1;
-        stack.push_back(index(x, y, z));
-      };
-      for (const int step : {-1, 1})
-      {
-        visit(i + step, j, k);
-        visit(i, j + step, k);
-        visit(i, j, k + step);
-      }
-    }
-  }
-  return result;
+  const Zero_set_on_grid zeros = zero_set_on_grid(f, resolution_of_grid);
+  return zeros.negative_parts + zeros.other_parts - 1;
 }
 
 // one point in fifty is put anywhere in the bounding box, with any normal, or turned
@@ -283,7 +243,7 @@ void add_rows_of_outliers(Table& table, const Shape& shape)
       const Function f(with_outliers(shape, are_turned), params::detect_outliers(are_detected));
       table.add(shape.name, are_turned ? "turned normals" : "outliers", are_detected ? "yes" : "no",
                 f.diagnostics().number_of_outliers, f.diagnostics().number_of_wrong_normals,
-                errors_of(f, shape).rms / shape.diagonal, number_of_components(f, shape));
+                errors_of(f, shape).rms / shape.diagonal, number_of_components(f));
     }
 }
 
@@ -298,14 +258,13 @@ Points without_cap(Points points, const int axis, const double share)
 // how the zero set is closed: its parts, and its distance to the shape over the diagonal
 void add_rows_of_holes(Table& table, const Shape& shape)
 {
-  static constexpr int resolution = 60;
   for (const double share : {0., 0.1, 0.5})
     for (int axis = 0; axis < (share > 0 ? 3 : 1); ++axis)
     {
       const Points points = without_cap(shape.clean, axis, share);
       std::unique_ptr<Function> f;
       const double seconds = seconds_of([&] { f = std::make_unique<Function>(points); });
-      const Zero_set_on_grid zeros = zero_set_on_grid(*f, resolution);
+      const Zero_set_on_grid zeros = zero_set_on_grid(*f, resolution_of_grid);
       double largest = 0, farthest = 0;
       for (const Point_3& p : zeros.points)
       {

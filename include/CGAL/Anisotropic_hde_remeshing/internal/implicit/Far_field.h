@@ -93,16 +93,23 @@ private:
                          part.area / area});
   }
 
-  // weight / |way|^6
+  // the sum of weight / |way|^6 over the parts
   template <int order>
-  static void add_inverse_power(const Vector& way, const double inverse, const double weight, Jet<order>& sum)
+  Jet<order> sum_of_inverse_powers(const Vector& p, double Part::*const weight) const
   {
-    const double power = weight * inverse * inverse * inverse;
-    sum.value += power;
-    if constexpr (order >= 1)
-      sum.gradient -= 6 * power * inverse * way;
-    if constexpr (order >= 2)
-      sum.hessian += power * inverse * (48 * inverse * way * way.transpose() - 6 * Matrix::Identity());
+    Jet<order> sum;
+    for (const Part& part : m_parts)
+    {
+      const Vector way = p - part.centre;
+      const double inverse = 1 / (std::max)(way.squaredNorm(), smallest_squared_distance);
+      const double power = part.*weight * inverse * inverse * inverse;
+      sum.value += power;
+      if constexpr (order >= 1)
+        sum.gradient -= 6 * power * inverse * way;
+      if constexpr (order >= 2)
+        sum.hessian += power * inverse * (48 * inverse * way * way.transpose() - 6 * Matrix::Identity());
+    }
+    return sum;
   }
 
   // 0 where the function is as without this, 1 where only the closing field counts
@@ -124,13 +131,7 @@ private:
   template <int order>
   Jet<order> sum_over_radii(const Vector& p) const
   {
-    Jet<order> sum;
-    for (const Part& part : m_parts)
-    {
-      const Vector way = p - part.centre;
-      add_inverse_power(way, 1 / (std::max)(way.squaredNorm(), smallest_squared_distance), part.weight_of_radius, sum);
-    }
-    return sum;
+    return sum_of_inverse_powers<order>(p, &Part::weight_of_radius);
   }
 
   static double distance_over_radii(const double sum) { return 1 / std::sqrt(std::sqrt(sum)); }
@@ -198,12 +199,7 @@ private:
   template <int order>
   Jet<order> smooth_distance(const Vector& p) const
   {
-    Jet<order> sum;
-    for (const Part& part : m_parts)
-    {
-      const Vector way = p - part.centre;
-      add_inverse_power(way, 1 / (std::max)(way.squaredNorm(), smallest_squared_distance), part.weight_of_area, sum);
-    }
+    const Jet<order> sum = sum_of_inverse_powers<order>(p, &Part::weight_of_area);
     const double distance = std::pow(sum.value, -1. / 6);
     return composed(distance, -distance / (6 * sum.value), 7 * distance / (36 * sum.value * sum.value), sum);
   }
