@@ -14,6 +14,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Interruption.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/Working_mesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/operations/Measured_contractions.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/operations/Measured_splits.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/operations/Sampled_operations.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/projection/Input_surface.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/samples/Sample_owners.h>
@@ -36,18 +37,9 @@ class Edge_exchanger
 {
   typedef Sample_owners<ConcurrencyTag, Mesh> Owners;
 
-  static constexpr double gain_of_split = 0.6;    // of the cost of both faces
-  static constexpr double smallest_profit = 1.3;  // of a split, over what the contraction costs
-  static constexpr double longest_neighbor = 1.3; // over the length of an edge that is split
-  static constexpr double share_measured = 3;     // contractions that are measured, over those wanted
+  static constexpr double contractions_measured = 3, splits_measured = 4; // over those wanted
   static constexpr std::size_t size_of_batch = 256;
   static constexpr double smallest_share_of_batch = 0.05; // contractions that pay; with fewer, the search ends
-
-  struct Split
-  {
-    double gain;
-    Edge_index edge;
-  };
 
 public:
   Edge_exchanger(const Mesh& mesh, const Input_surface& input, const Owners& owners, const Shape_price& price,
@@ -59,13 +51,13 @@ public:
   // exchanges at most `largest_number` vertices; returns how many
   std::size_t operator()(const std::size_t largest_number)
   {
-    const std::vector<Split> splits = rich_splits();
+    const std::vector<Measured_split> splits = measured_splits(largest_number);
     const std::vector<Measured_contraction> contractions = paying_contractions(largest_number, splits);
     if (m_interruption.is_requested())
       return 0; // not all have been measured
     // every split has its contraction, and no two of all have a vertex in common
     m_operations.begin();
-    std::vector<std::pair<Measured_contraction, Edge_index>> pairs;
+    std::vector<std::pair<Measured_contraction, Measured_split>> pairs;
     std::size_t next = 0;
     for (const Measured_contraction& c : contractions)
     {
@@ -73,12 +65,11 @@ public:
         break;
       if (!m_operations.take_ring(c.halfedge))
         continue;
-      while (next < splits.size() && splits[next].gain >= smallest_profit * c.cost &&
-             !m_operations.take_quad(splits[next].edge))
+      while (next < splits.size() && splits[next].gain >= c.cost && !m_operations.take_quad(splits[next].edge))
         ++next;
-      if (next == splits.size() || splits[next].gain < smallest_profit * c.cost)
+      if (next == splits.size() || splits[next].gain < c.cost)
         break;
-      pairs.emplace_back(c, splits[next].edge);
+      pairs.emplace_back(c, splits[next]);
       ++next;
     }
     std::size_t number = 0;
@@ -86,12 +77,12 @@ public:
     {
       if (m_interruption.poll())
         break;
-      const Halfedge_index h = m_mesh.halfedge(pair.second);
-      const Vector middle = middle_on_input(h);
-      if (m_operations.accepts(pair.first) && m_operations.accepts_split(h, middle))
+      const Halfedge_index h = m_mesh.halfedge(pair.second.edge);
+      const Vector& point = pair.second.point;
+      if (m_operations.accepts(pair.first) && m_operations.accepts_split(h, point))
       {
         m_operations.contract(pair.first);
-        m_operations.split(h, middle);
+        m_operations.split(h, point);
         ++number;
       }
     }
@@ -99,15 +90,22 @@ public:
   }
 
 private:
+  std::vector<Measured_split> measured_splits(const std::size_t largest_number)
+  {
+    const Measured_splits<ConcurrencyTag, Mesh> measured(m_mesh, m_input, m_owners, m_price);
+    return measured.measure(measured.candidates(std::size_t(splits_measured * double(largest_number))), m_interruption);
+  }
+
   // Measures contractions in batches, the most promising first, as long as they find a split that is worth more.
-  std::vector<Measured_contraction> paying_contractions(const std::size_t largest_number, const std::vector<Split>& splits)
+  std::vector<Measured_contraction> paying_contractions(const std::size_t largest_number,
+                                                        const std::vector<Measured_split>& splits)
   {
     std::vector<Measured_contraction> result;
     if (splits.empty())
       return result;
     Measured_contractions<ConcurrencyTag, Mesh> measured(m_mesh, m_owners, m_price);
-    const std::vector<Edge_index> edges = measured.candidates(std::size_t(share_measured * double(largest_number)));
-    double limit = splits.front().gain / smallest_profit;
+    const std::vector<Edge_index> edges = measured.candidates(std::size_t(contractions_measured * double(largest_number)));
+    double limit = splits.front().gain;
     for (std::size_t first = 0; first < edges.size() && !m_interruption.is_requested(); first += size_of_batch)
     {
       const std::size_t last = (std::min)(first + size_of_batch, edges.size());
@@ -123,40 +121,13 @@ private:
   }
 
   // Half as many splits as pay now will find a partner at least: so no contraction can cost more than the next one gains.
-  static double largest_cost_that_pays(const std::vector<Measured_contraction>& contractions, const std::vector<Split>& splits)
+  static double largest_cost_that_pays(const std::vector<Measured_contraction>& contractions,
+                                       const std::vector<Measured_split>& splits)
   {
     std::size_t number = 0;
-    while (number < contractions.size() && number < splits.size() &&
-           splits[number].gain >= smallest_profit * contractions[number].cost)
+    while (number < contractions.size() && number < splits.size() && splits[number].gain >= contractions[number].cost)
       ++number;
-    return splits[(std::min)(number / 2, splits.size() - 1)].gain / smallest_profit;
-  }
-
-  // edges that are about the longest of their faces, by what a split gains
-  std::vector<Split> rich_splits() const
-  {
-    std::vector<Split> result;
-    for (const Edge_index e : m_mesh.edges())
-    {
-      if (m_mesh.is_border(e) || m_mesh.is_on_curve(e))
-        continue;
-      const Halfedge_index h = m_mesh.halfedge(e), g = m_mesh.opposite(h);
-      const double length = squared_length(h, m_mesh);
-      const double longest = (std::max)({squared_length(m_mesh.next(h), m_mesh), squared_length(m_mesh.prev(h), m_mesh),
-                                         squared_length(m_mesh.next(g), m_mesh), squared_length(m_mesh.prev(g), m_mesh)});
-      if (longest > longest_neighbor * longest_neighbor * length)
-        continue;
-      result.push_back(Split{gain_of_split * (m_owners.cost(m_mesh.face(h)) + m_owners.cost(m_mesh.face(g))), e});
-    }
-    std::sort(result.begin(), result.end(),
-              [](const Split& s, const Split& t) { return s.gain > t.gain || (s.gain == t.gain && s.edge < t.edge); });
-    return result;
-  }
-
-  Vector middle_on_input(const Halfedge_index h) const
-  {
-    const Vector middle = internal::middle(h, m_mesh);
-    return m_input.empty() ? middle : m_input.closest(middle).point;
+    return splits[(std::min)(number / 2, splits.size() - 1)].gain;
   }
 
   const Mesh& m_mesh;

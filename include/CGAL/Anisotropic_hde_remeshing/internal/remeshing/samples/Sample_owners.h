@@ -53,6 +53,8 @@ public:
   }
 
   const Reference_sample& sample(const std::uint32_t i) const { return m_samples[i]; }
+  // of a sample to its face
+  double squared_distance_of(const std::uint32_t i) const { return m_squared_distances[i]; }
   double area_of_surface() const { return m_samples.area_of_surface(); }
 
   // `vertex_of(s)` is the vertex of the mesh at which the search for the owner of a sample starts

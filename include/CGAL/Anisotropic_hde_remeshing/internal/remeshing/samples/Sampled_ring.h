@@ -53,6 +53,18 @@ public:
     add_end(m_mesh.opposite(h), m_mesh.target(h), false);
   }
 
+  // both faces at the edge of h, which the vertex divides
+  void add_quad(const Halfedge_index h)
+  {
+    const Vector middle = internal::middle(h, m_mesh);
+    for (const Halfedge_index g : {h, m_mesh.opposite(h)})
+    {
+      add_samples(m_mesh.face(g));
+      for (const Halfedge_index side : {m_mesh.next(g), m_mesh.prev(g)})
+        m_corners.push_back({middle, m_mesh.point(m_mesh.source(side)).point, m_mesh.point(m_mesh.target(side)).point});
+    }
+  }
+
   // the ring of a vertex
   void add_vertex(const Vertex_index v) { add_end(m_mesh.halfedge(v), Mesh::null_vertex(), true); }
 
@@ -128,6 +140,12 @@ private:
     };
   }
 
+  void add_samples(const Face_index f)
+  {
+    m_cost += m_owners.cost(f) + m_price(m_owners.triangle(f));
+    m_owners.for_each(f, [&](const std::uint32_t i) { m_samples.push_back(i); });
+  }
+
   // the faces around the target of h; those at `other` are gone in the end, and are added with `adds_faces_at_other` only
   void add_end(const Halfedge_index h, const Vertex_index other, const bool adds_faces_at_other)
   {
@@ -139,9 +157,7 @@ private:
       const bool has_other = t.a == other || t.c == other;
       if (has_other && !adds_faces_at_other)
         continue;
-      const Face_index f = m_mesh.face(in);
-      m_cost += m_owners.cost(f) + m_price(m_owners.triangle(f));
-      m_owners.for_each(f, [&](const std::uint32_t i) { m_samples.push_back(i); });
+      add_samples(m_mesh.face(in));
       if (!has_other)
         m_corners.push_back({m_mesh.point(t.b).point, m_mesh.point(t.c).point, m_mesh.point(t.a).point});
     }
