@@ -170,6 +170,22 @@ inline Soup spheres(const double gap)
   return soup;
 }
 
+// One sphere in another, turned: where the sheets are near, the points are not.
+inline Soup turned_shell(const unsigned int level, const double gap)
+{
+  Soup soup = shapes::icosphere_soup(level), inner = soup;
+  for (auto& t : inner.triangles)
+    std::swap(t[0], t[1]);
+  const double c = std::cos(0.3), s = std::sin(0.3);
+  for (Point_3& p : inner.points)
+  {
+    const Point_3 q(c * p.x() - s * p.y(), s * p.x() + c * p.y(), p.z());
+    p = Point_3(q.x(), c * q.y() - s * q.z(), s * q.y() + c * q.z());
+  }
+  append(soup, inner, Vector_3(0, 0, 0), 1 - gap);
+  return soup;
+}
+
 // one sphere in another, nearly as large
 inline Soup shell(const double gap)
 {

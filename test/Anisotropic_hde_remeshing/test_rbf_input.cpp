@@ -9,6 +9,7 @@
 // What Rbf_implicit_function makes of its input: points with normals, isolated and duplicate vertices, sheets close to each
 // other, coordinates of any scale, few and degenerate points, shapes sampled too coarsely, and input that it must refuse.
 
+#include "awkward_shapes.h"
 #include "check.h"
 #include "shapes.h"
 
@@ -170,6 +171,26 @@ void test_close_sheets()
     }
   std::cout << "wrong signs between close sheets: " << wrong << std::endl;
   CHECK(wrong == 0);
+}
+
+// A shell thinner than a twentieth of the distance between its points: nothing but the facets tells how near the other side is. It
+// is right in the middle and on both sides, and a shell as thick as a fifth is interpolated.
+void test_thin_shell()
+{
+  for (const double gap : {0.004, 0.02})
+  {
+    const Function f(shapes::to_mesh(awkward_shapes::turned_shell(4, gap)), params::default_values());
+    std::size_t wrong = 0;
+    for (const Point_3& p : spiral_points(2000))
+    {
+      const auto at = [&](const double radius) { return f(CGAL::ORIGIN + radius * (p - CGAL::ORIGIN)); };
+      wrong += (at(1 - gap / 2) < 0 ? 0 : 1) + (at(1 + gap) > 0 ? 0 : 1) + (at(1 - 2 * gap) > 0 ? 0 : 1);
+    }
+    std::cout << "wrong signs around a shell of " << gap << ": " << wrong << ", " << f.diagnostics().patches_on_fallback
+              << " of " << f.diagnostics().number_of_patches << " patches on fallback" << std::endl;
+    CHECK(wrong == 0);
+    CHECK((f.diagnostics().patches_on_fallback == 0) == (gap > 0.01));
+  }
 }
 
 // no value, gradient, Hessian or curvature is anything but a number: about the points, far away, and at `points` themselves
@@ -590,6 +611,7 @@ int main()
   test_isolated_vertices();
   test_duplicate_points();
   test_close_sheets();
+  test_thin_shell();
   test_scale();
   test_extreme_scale();
   test_few_points();

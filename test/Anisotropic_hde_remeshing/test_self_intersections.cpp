@@ -260,6 +260,26 @@ void test_obstacles()
   }
 }
 
+// Of a shell thinner than its edges each vertex stays on its own side, by an embedding, too.
+void test_thin_shell()
+{
+  Mesh mesh = shapes::to_mesh(awkward_shapes::turned_shell(4, 0.004));
+  const Hde::Remeshing_result result = CGAL::anisotropic_hde_remeshing<CGAL::Parallel_if_available_tag>(
+      mesh, params::number_of_target_faces(4000).relative_sigma(0.02));
+  static constexpr double height = 0.0015; // of the sphere over its facets at most; half of the shell has 0.002
+  std::size_t between = 0;
+  for (const auto v : mesh.vertices())
+  {
+    const double radius = std::sqrt(CGAL::squared_distance(mesh.point(v), Point_3(0, 0, 0)));
+    between += std::abs(radius - 1) < height || std::abs(radius - 0.996) < height ? 0 : 1;
+  }
+  std::cout << "a thin shell: " << result.number_of_unprojected_vertices << " vertices unprojected, " << between
+            << " on neither side" << std::endl;
+  CHECK(CGAL::Polygon_mesh_processing::does_self_intersect(mesh) == false);
+  CHECK(between == 0);
+  CHECK(100 * result.number_of_unprojected_vertices <= mesh.number_of_vertices());
+}
+
 int main()
 {
   for (const std::size_t number_of_shared : {0, 1, 2})
@@ -273,5 +293,6 @@ int main()
   test_intersecting_input();
   test_groups();
   test_obstacles();
+  test_thin_shell();
   return check_summary();
 }

@@ -26,7 +26,8 @@ namespace internal {
 // The self-check of a patch. It has places on the facets of the input, or at its points if it has no facets. There the gradient
 // must point outward, and the surface must be within the local spacing h. At a distance of h/4 to 2 h before and behind the
 // places, the sign must be that of the distance to the input. A wrong sign means a sheet that the input does not have, or one
-// that is missing. Most signs are known without a distance. The distance is asked for only where the function contradicts.
+// that is missing. Most signs are known without a distance. The distance is asked for only where the function contradicts. Where
+// another sheet of the input is nearer than that, the sign half way to it must be right.
 class Patch_check
 {
 public:
@@ -109,7 +110,7 @@ public:
     {
       const Vector p = place.point + (side * distance - shift) * place.normal;
       const double value = value_at(p);
-      if (!std::isfinite(value) || (side * value <= 0 && is_wrong(p, side, place.spacing)))
+      if (!std::isfinite(value) || (side * value <= 0 && is_wrong(place, side, distance, shift, value_at)))
         ++result;
     }
     return result;
@@ -120,6 +121,9 @@ private:
   static constexpr double large_facet = 2;      // its longest edge, in units of the spacing of its points
   static constexpr double largest_error = 4;    // of a point, in units of the noise
   static constexpr double least_distance = 0.2; // from here on the sign counts, in units of the spacing
+
+  static constexpr double widest_gap = 0.9;     // to another sheet, over the distance at which the sign was asked for
+  static constexpr double narrowest_gap = 1e-6; // in units of the spacing: below, sheets touch
 
   std::size_t first_on_facets() const { return m_sample.size() - m_sample.number_of_points_on_facets; }
 
@@ -140,9 +144,21 @@ private:
     return longest_edge(facet) > large_facet * spacing;
   }
 
-  bool is_wrong(const Vector& p, const double expected_side, const double spacing) const
+  // Is asked where the function contradicts the side of a place at a distance. If the input does so, too, another sheet of it is
+  // there. Then the middle between both counts.
+  template <typename Value_of_function>
+  bool is_wrong(const Place& place, const double side, const double distance, const double shift,
+                const Value_of_function& value_at) const
   {
-    return expected_side * m_input.distance(p).value >= least_distance * spacing + m_noise;
+    const auto point = [&](const double d) { return Vector(place.point + (side * d - shift) * place.normal); };
+    const double signed_distance = side * m_input.distance(point(distance)).value;
+    if (signed_distance >= least_distance * place.spacing + m_noise)
+      return true;
+    const double gap = distance + signed_distance;
+    if (!(gap < widest_gap * distance) || !(gap > narrowest_gap * place.spacing + 4 * m_noise))
+      return false;
+    const Vector middle = point(gap / 2);
+    return side * m_input.distance(middle).value >= gap / 4 && side * value_at(middle) <= 0;
   }
 
   const Surface_sample& m_sample;
