@@ -79,11 +79,24 @@ run tube_90.off 1000 1e-9 --sharp 40
 run tube_90.off 2000 1e-9
 run tube_12.off 1000 1e-9
 run tube_12.off 1000 1e-9 --sharp 40
-run tube_12.off 1000 8e-3 --sharp 40 --metric 2
-check "an embedding on long facets is told" "$(grep -c 'long and exact facets' figures.json) == 1"
 run tube_12.off 150 8e-3
-# without --sharp the vertices are on the facets, and edges cut the corners, which is told; with a kernel it is its function
-run tube_12.off 1000 4e-2 --metric 2
+# an embedding keeps to the facets, each a region
+for options in "--sharp 40 --metric 2" "--sharp 40 --sigma .02" "--metric 2" "--sigma .02" "--sharp 40 --sigma .02 --kernel gaussian"; do
+  run tube_12.off 1000 1e-9 $options
+  check "facets are regions with $options" "$(grep -c '"planes": 26,' figures.json) == 1 && $(grep -c '"regions": 26,' figures.json) == 2"
+  check "an embedding with $options" "$(grep -c '"scheme": "embedding"' figures.json) == 1"
+done
+check "the kernel has no effect" "$(grep -c 'kernel has no effect: the facets of IN are exact' figures.json) == 1"
+# with sides that are too narrow for it, the measured error leads, and that is told
+for options in "--sharp 40 --metric 2" "--sigma .02"; do
+  run tube_90.off 1000 1e-9 $options
+  check "measured error with $options" "$(grep -c '"scheme": "measured-error"' figures.json) == 1"
+  check "told with $options" "$(grep -c 'the measured error leads' figures.json) == 1"
+done
+# An embedding in any case: the vertices are on the facets, and edges cut across their edges, which is told. With a kernel it is its
+# function.
+run tube_90.off 1000 4e-2 --metric 2 --scheme embedding
+check "an embedding on long facets is told" "$(grep -c 'by an embedding IN and OUT are up to' figures.json) == 1"
 check "rounded creases are told" "$(grep -c 'D from OUT' figures.json) == 1"
 check "the function is that of the facets" "$(grep -c '"closest_point_regions": 1' figures.json) == 1"
 run tube_12.off 1000 8e-2 --metric 2 --kernel thin-plate

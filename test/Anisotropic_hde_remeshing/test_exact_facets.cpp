@@ -209,29 +209,89 @@ void test_what_is_exact()
     CHECK(!is_of_long_facets(smooth));
 }
 
-// By an embedding, the largest distance to the input is at most this one.
+// By an embedding, the largest distance to the input is at most this one. Returns the result.
 template <typename NamedParameters>
-void check_embedding(const Mesh& input, const double largest, const NamedParameters& np)
+Hde::Remeshing_result check_embedding(const std::string& name, const Mesh& input, const std::size_t wanted,
+                                      const double largest, const NamedParameters& np)
 {
   Mesh mesh = input;
-  CGAL::anisotropic_hde_remeshing<Tag>(mesh, np.number_of_target_faces(1000));
+  const Hde::Remeshing_result result = CGAL::anisotropic_hde_remeshing<Tag>(mesh, np.number_of_target_faces(wanted));
   const double distance = Hde::measure_distance<Tag>(mesh, input).max();
-  std::cout << "by an embedding: largest distance " << distance << " of " << largest << std::endl;
+  std::cout << name << " by an embedding: " << result.number_of_faces << " faces of " << wanted << ", "
+            << result.number_of_regions << " regions, sigma " << result.sigma << ", largest distance " << distance << " of "
+            << largest << std::endl;
   CHECK(distance <= largest);
   remeshing_checks::check_same_topology(input, mesh);
+  return result;
 }
 
-// Embeddings keep to the facets, too: the flat sides of a bar do not bulge, and arcs of few sides do not swell. Edges cut across the
-// sides, by no more than the arc of this radius is high over them; by the metric of the curvature, by about the height over a side.
-// Without a sharp angle, they cut the corners, by half of their length.
-void test_embedding(const Mesh& input, const std::size_t sides, const double radius, const double by_metric)
+// Embeddings keep to the facets, with a sharp angle and without: nothing is lost where the number of faces allows it. With facets
+// that are too many or too narrow for that number, it is as by the number alone, without an embedding.
+void test_embedding(const std::string& name, const Mesh& input, const bool has_room)
 {
+  static constexpr double rounding = 1e-9;
+  const auto check = [&](const auto& np)
+  {
+    const Hde::Remeshing_result result = check_embedding(name, input, 1000, rounding, np);
+    CHECK(is_reached(result, 1000));
+    CHECK(result.has_long_facets == !has_room); // by measured error
+    CHECK(result.number_of_needles <= result.number_of_faces / 10);
+  };
+  check(params::sharp_angle(40).embedding(Hde::Curvature_metric(2)));
+  check(params::sharp_angle(40).relative_sigma(0.02));
+  check(params::embedding(Hde::Curvature_metric(2)));
+  check(params::relative_sigma(0.02));
+  check(params::sigma(0.05));
+}
+
+// Fewer faces than the facets take: the embedding is no further off than without it.
+void test_embedding_with_few_faces()
+{
+  const Mesh input = cad_shapes::cylinder(360, 1, true);
+  Mesh by_number = input;
+  const Hde::Remeshing_result of_number = CGAL::anisotropic_hde_remeshing<Tag>(by_number, params::number_of_target_faces(900));
+  const double distance = Hde::measure_distance<Tag>(by_number, input).max();
+  CHECK(is_reached(of_number, 900));
+  CHECK(distance > 0 && distance < 10 * cad_shapes::chord_height(360));
+  CHECK(is_reached(check_embedding("360 sides", input, 900, distance, params::relative_sigma(0.02)), 900));
+  Mesh mesh = input; // as many as there are
+  const Hde::Remeshing_result result = CGAL::anisotropic_hde_remeshing<Tag>(mesh, params::embedding(Hde::Curvature_metric(2)));
+  CHECK(is_reached(result, input.number_of_faces()));
+  CHECK(Hde::measure_distance<Tag>(mesh, input).max() <= 1e-9);
+}
+
+// What is uniform in the embedding is asked for by its scheme: it cuts across narrow sides, and keeps facets that have room.
+void test_embedding_in_any_case()
+{
+  const Mesh input = cad_shapes::cylinder(90, 1, true);
   const double length = 4. / 3 * std::sqrt(4 / std::sqrt(3.) * PMP::area(input) / 1000); // longer ones are split
-  const double side = radius * cad_shapes::chord_height(sides), over_edge = side + length * length / (8 * radius);
-  check_embedding(input, by_metric, params::sharp_angle(40).embedding(Hde::Curvature_metric(2)));
-  check_embedding(input, over_edge, params::sharp_angle(40).relative_sigma(0.02));
-  check_embedding(input, length / 2, params::embedding(Hde::Curvature_metric(2)));
-  check_embedding(input, length / 2, params::relative_sigma(0.02));
+  const Hde::Remeshing_result result =
+      check_embedding("90 sides", input, 1000, cad_shapes::chord_height(90) + length * length / 8,
+                      params::sharp_angle(40).relative_sigma(0.02).remeshing_scheme(Hde::Remeshing_scheme::EMBEDDING));
+  CHECK(result.number_of_regions == 3 && !result.has_long_facets);
+  CHECK(result.sigma > 0);
+  const Hde::Remeshing_result of_block = check_embedding(
+      "block", l_block(1), 1000, 1e-9, params::relative_sigma(0.02).remeshing_scheme(Hde::Remeshing_scheme::EMBEDDING));
+  CHECK(of_block.number_of_regions == 8 && is_reached(of_block, 1000));
+}
+
+// By a length, too, and on some of the faces.
+void test_embedding_by_length()
+{
+  const Mesh input = cad_shapes::cylinder(12, 3, true);
+  Mesh mesh = input;
+  const Hde::Remeshing_result result = CGAL::anisotropic_hde_remeshing<Tag>(mesh, params::target_edge_length(0.25));
+  CHECK(result.number_of_regions == 14 && result.number_of_faces > 800);
+  CHECK(Hde::measure_distance<Tag>(mesh, input).max() <= 1e-9);
+  remeshing_checks::check_same_topology(input, mesh);
+  Mesh other = input;
+  std::vector<Mesh::Face_index> part;
+  for (const auto f : other.faces())
+    if (std::abs(PMP::compute_face_normal(f, other).z()) < 0.5)
+      part.push_back(f);
+  CGAL::anisotropic_hde_remeshing<Tag>(part, other, params::number_of_target_faces(600).relative_sigma(0.02));
+  CHECK(Hde::measure_distance<Tag>(other, input).max() <= 1e-9);
+  CHECK(CGAL::is_closed(other));
 }
 
 // The function is not of facets if anything is asked of it, or the paper's scheme: it rounds a cube, inside of a face, too.
@@ -273,11 +333,18 @@ int main()
   test_shapes();
   test_fewer_faces();
   test_what_is_exact();
-  const double height = cad_shapes::chord_height(12);
-  test_embedding(cad_shapes::cylinder(12, 3, true), 12, 1, height);
-  test_embedding(cad_shapes::bar_with_fillets(3, 3), 12, 0.5, height);
-  test_embedding(cad_shapes::elbow(12, 1, true), 12, 1, 1.25 * height); // it is bent in two ways
-  test_embedding(cad_shapes::plate(3, 1), 12, 1, height);
+  for (const bool has_room : {true, false})
+  {
+    const std::size_t sides = has_room ? 12 : 88;
+    test_embedding("cylinder", cad_shapes::cylinder(sides, 3, true), has_room);
+    test_embedding("fillets", cad_shapes::bar_with_fillets(sides / 4, has_room ? 1 : 3), has_room);
+    test_embedding("plate", cad_shapes::plate(sides / 4, 1), has_room);
+  }
+  test_embedding("elbow", cad_shapes::elbow(12, 1, true), true);
+  test_embedding("cube", cube(6), true);
+  test_embedding_with_few_faces();
+  test_embedding_in_any_case();
+  test_embedding_by_length();
   test_function_asked_for();
   test_lone_faces();
   test_any_number();

@@ -61,8 +61,10 @@ void describe_run(const Options& options, const Checked_mesh& input, const Sizes
 // Options that change nothing, as there is no function, or none that they could change.
 void warn_of_options(const Options& options, const Remeshed& remeshed, Report& report)
 {
-  if (!remeshed.function.has_values())
+  if (!remeshed.function.has_values() || remeshed.keeps_facets)
   {
+    const std::string reason =
+        remeshed.keeps_facets ? "the facets of IN are exact, and kept" : "by measured error there is no function";
     const std::vector<std::pair<const char*, bool>> given = {
         {"--kernel", options.kernel != "r3"},       {"--shape", options.shape.has_value()},
         {"--patches", options.patches.has_value()}, {"--overlap", options.overlap.has_value()},
@@ -70,9 +72,10 @@ void warn_of_options(const Options& options, const Remeshed& remeshed, Report& r
         {"--vertices-only", options.vertices_only}, {"--smooth-edges", options.smooth_edges}};
     for (const auto& [name, is_given] : given)
       if (is_given)
-        report.warnings.push_back(std::string(name) + " has no effect: by measured error there is no function");
-    return;
+        report.warnings.push_back(std::string(name) + " has no effect: " + reason);
   }
+  if (!remeshed.function.has_values())
+    return;
   for (const auto& [name, is_given] :
        {std::make_pair("--aspect-ratio", options.aspect_ratio), std::make_pair("--shape-weight", options.shape_weight)})
     if (is_given)
@@ -98,11 +101,17 @@ void warn_of_creases(const Mesh& input, const Remeshed& remeshed, const Options&
                               " keeps them");
 }
 
-// By an embedding, vertices stand where the lengths want them, and not on the edges between facets that are long and exact.
-void note_long_facets(const Mesh& input, const Remeshed& remeshed, Report& report)
+// Long and exact facets, where an embedding was asked for that has not kept them: the measured error led instead. Or the vertices stand
+// where the lengths want them, and not on the edges between facets.
+void note_long_facets(const Mesh& input, const Options& options, const Remeshed& remeshed, Report& report)
 {
   static constexpr double rounding = 1e-6; // of the diagonal
   namespace Hde_internal = CGAL::Anisotropic_hde_remeshing::internal;
+  const bool is_embedding_given = options.scheme == "default" && (options.metric || options.sigma || options.absolute_sigma);
+  if (!remeshed.function.has_values() && is_embedding_given)
+    report.notes.push_back(
+        "IN has the long and exact facets of a CAD program, which so many triangles do not keep in an embedding: "
+        "the measured error leads. --scheme embedding is uniform in any case");
   if (!remeshed.function.has_values() || !report.distance || !(report.distance->max() > rounding * report.diagonal) ||
       !Hde_internal::has_long_facets(faces(input), input, input.points()))
     return;
@@ -132,7 +141,7 @@ void describe(const Options& options, const Checked_mesh& input, const Sizes& si
   add_warnings(report);
   warn_of_creases(input.mesh, remeshed, options, report);
   warn_of_options(options, remeshed, report);
-  note_long_facets(input.mesh, remeshed, report);
+  note_long_facets(input.mesh, options, remeshed, report);
 }
 
 } // namespace hde_remesh

@@ -187,13 +187,13 @@ void run(const Options& options)
 
   check_files(options);
   progress.stage("reading");
-  const Checked_mesh input = read_mesh(options, report);
+  Checked_mesh input = read_mesh(options, report);
   end_stage("reading", stopwatch.lap());
   progress.clear();
   for (const std::string& text : report.notes)
     note(options, text);
 
-  const Sizes sizes = sizes_of(options, input.mesh);
+  Sizes sizes = sizes_of(options, input.mesh);
   const Remeshed remeshed = remesh(input.mesh, sizes, options, progress);
   check_not_cancelled();
   if (remeshed.function.has_values())

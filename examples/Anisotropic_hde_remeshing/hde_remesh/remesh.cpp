@@ -11,13 +11,20 @@
 #include "build_function.h"
 #include "remesh_with.h"
 
+#include <CGAL/Anisotropic_hde_remeshing/internal/regions/Facet_planes.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/regions/Facet_regions.h>
+
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <string>
+#include <utility>
 
 namespace hde_remesh {
 
+namespace Hde_internal = CGAL::Anisotropic_hde_remeshing::internal;
 using CGAL::Anisotropic_hde_remeshing::Remeshing_scheme;
 
 namespace {
@@ -32,13 +39,14 @@ enum class Embedding
 
 Embedding embedding_of(const Sizes& sizes, const Options& o)
 {
+  if (sizes.scheme == Remeshing_scheme::MEASURED_ERROR)
+    return Embedding::NORMALS; // it has none
   if (!o.field.empty())
     return Embedding::FIELD;
   if (o.adaptive_sigma)
     return Embedding::ADAPTIVE_SIGMA;
   const bool has_sigma = o.sigma || o.absolute_sigma;
-  const bool leaves_embedding_open = !has_sigma && sizes.scheme != Remeshing_scheme::MEASURED_ERROR;
-  return o.metric || (sizes.error && leaves_embedding_open) ? Embedding::METRIC : Embedding::NORMALS;
+  return o.metric || (sizes.error && !has_sigma) ? Embedding::METRIC : Embedding::NORMALS;
 }
 
 Remeshing_result remesh_with_embedding(Mesh& mesh, const Function_view& function, const Sizes& sizes, const Options& o,
@@ -73,7 +81,6 @@ Remeshing_scheme scheme_of(const Sizes& sizes, const Options& o, const Mesh& mes
   const bool is_embedding_given =
       o.sigma || o.absolute_sigma || o.relaxation_steps || o.smoothing_ratio || o.collapse_ratio || o.split_ratio;
   const Remeshing_scheme scheme = is_asked_for ? Remeshing_scheme::MEASURED_ERROR : Remeshing_scheme::DEFAULT;
-  namespace Hde_internal = CGAL::Anisotropic_hde_remeshing::internal;
   const bool is_by_measured_error =
       (is_asked_for || !(is_embedding_given || is_function_asked_for(o))) &&
       (sizes.error ? Hde_internal::keeps_measured_error(scheme)
@@ -146,10 +153,70 @@ std::size_t number_of_regions(const Mesh& mesh)
   return number;
 }
 
+// Whether an embedding keeps to the facets of the mesh, as they are exact. It is for the caller to see whether the number of faces
+// allows it.
+bool keeps_facets(const Mesh& mesh, const Sizes& sizes, const Options& o)
+{
+  const bool is_smoothed = o.smoothing.value_or(0) > 0 || o.automatic_smoothing;
+  return sizes.scheme == Remeshing_scheme::EMBEDDING && !sizes.error && o.iterations.value_or(1) > 0 && !is_smoothed &&
+         (o.sharp || !is_function_asked_for(o)) && Hde_internal::has_long_facets(faces(mesh), mesh, mesh.points());
+}
+
+// whether the measured error may take the place of the embedding
+bool may_give_way_to_error(const Sizes& sizes, const Options& o)
+{
+  const Embedding embedding = embedding_of(sizes, o);
+  return o.scheme == "default" && !sizes.edge_length && (embedding == Embedding::NORMALS || embedding == Embedding::METRIC);
+}
+
+Remeshed remesh_with_function(const Mesh& mesh, const Sizes& sizes, const Options& options, Progress& progress,
+                              Remeshed&& remeshed)
+{
+  remeshed.mesh = mesh;
+  is_listening() = 1;
+  remeshed.result = remesh_with_embedding(remeshed.mesh, remeshed.function, sizes, options, progress);
+  is_listening() = 0;
+  return std::move(remeshed);
+}
+
+// With each facet as a region. Returns none, and leaves the mesh as it was, if the number of faces does not allow it.
+std::optional<Remeshed> remesh_between_facets(Mesh& mesh, const Sizes& sizes, const Options& options, Progress& progress)
+{
+  Stopwatch stopwatch;
+  progress.stage("facets");
+  const Hde_internal::Facet_regions<Mesh, Mesh::Property_map<Mesh::Vertex_index, Point_3>> facets(mesh, mesh.points());
+  const double number_of_faces = sizes.edge_length
+                                     ? facets.area() / (0.25 * std::sqrt(3.) * *sizes.edge_length * *sizes.edge_length)
+                                     : static_cast<double>(*sizes.number_of_faces);
+  if (!facets.are_planar() || facets.least_number_of_faces() > number_of_faces)
+    return std::nullopt;
+  Mesh with_facets = mesh;
+  facets.mark(creases_of(with_facets).is_crease, creases_of(with_facets).region);
+  const Hde_internal::Facet_planes<Kernel> function(facets.planes());
+  Remeshed remeshed;
+  remeshed.function = Function_view::of_pieces(function);
+  remeshed.pieces = function.diagnostics();
+  remeshed.keeps_facets = true;
+  remeshed.kernel = "planes of the facets";
+  remeshed.function_seconds = stopwatch.seconds();
+  remeshed = remesh_with_function(with_facets, sizes, options, progress, std::move(remeshed));
+  if (remeshed.result.misses_number_of_faces())
+    return std::nullopt;
+  mesh = std::move(with_facets);
+  return remeshed;
+}
+
 } // namespace
 
-Remeshed remesh(const Mesh& mesh, const Sizes& sizes, const Options& options, Progress& progress)
+Remeshed remesh(Mesh& mesh, Sizes& sizes, const Options& options, Progress& progress)
 {
+  if (keeps_facets(mesh, sizes, options))
+  {
+    if (auto remeshed = remesh_between_facets(mesh, sizes, options, progress))
+      return std::move(*remeshed);
+    if (may_give_way_to_error(sizes, options))
+      sizes.scheme = Remeshing_scheme::MEASURED_ERROR;
+  }
   Remeshed remeshed;
   if (sizes.scheme == Remeshing_scheme::MEASURED_ERROR)
     remeshed.function = Function_view::without_values(number_of_regions(mesh));
@@ -158,11 +225,7 @@ Remeshed remesh(const Mesh& mesh, const Sizes& sizes, const Options& options, Pr
     progress.stage("smooth function");
     build_function(mesh, options, remeshed);
   }
-  remeshed.mesh = mesh;
-  is_listening() = 1;
-  remeshed.result = remesh_with_embedding(remeshed.mesh, remeshed.function, sizes, options, progress);
-  is_listening() = 0;
-  return remeshed;
+  return remesh_with_function(mesh, sizes, options, progress, std::move(remeshed));
 }
 
 } // namespace hde_remesh

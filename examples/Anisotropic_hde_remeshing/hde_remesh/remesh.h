@@ -39,8 +39,9 @@ struct Sizes
 struct Remeshed
 {
   Mesh mesh;
-  Function_view function; // without values by measured error
-  std::string kernel;     // none without a function
+  Function_view function;    // without values by measured error
+  std::string kernel;        // none without a function
+  bool keeps_facets = false; // whether the function is the planes of exact facets, each a region
   double function_seconds = 0;
   std::optional<CGAL::Anisotropic_hde_remeshing::Rbf_diagnostics> rbf;
   std::optional<CGAL::Anisotropic_hde_remeshing::Piecewise_rbf_diagnostics> pieces; // in its place with --sharp, or of facets
@@ -57,8 +58,10 @@ std::string scheme_text(CGAL::Anisotropic_hde_remeshing::Remeshing_scheme scheme
 std::string embedding_text(const Sizes& sizes, const Options& options);
 bool has_6d_lengths(const Sizes& sizes, const Options& options);
 
-// Remeshes a copy of the mesh, on a function with the kernel asked for. By measured error there is none.
-Remeshed remesh(const Mesh& mesh, const Sizes& sizes, const Options& options, Progress& progress);
+// Remeshes a copy of the mesh, on a function with the kernel asked for. By measured error there is none. Where the facets of the mesh
+// are exact, an embedding keeps to them: each becomes a region of the mesh. If the number of faces does not allow that, the measured
+// error leads, and the scheme is that one afterwards.
+Remeshed remesh(Mesh& mesh, Sizes& sizes, const Options& options, Progress& progress);
 
 } // namespace hde_remesh
 

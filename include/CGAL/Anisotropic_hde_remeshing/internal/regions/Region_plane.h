@@ -82,35 +82,43 @@ inline Region_plane best_plane(const std::vector<Vector>& points, const double s
   return plane;
 }
 
-// The plane of a region. All its points must be in the plane within `tolerance`, and within a hundredth of the size of the
-// region. The plane looks to where the faces look.
-inline std::optional<Region_plane> plane_of(const Region_mesh& region, const double tolerance)
+// The plane of some facets. All points must be in the plane within `tolerance`, and within a hundredth of their extent. The plane
+// looks to where the facets look.
+inline std::optional<Region_plane> plane_of(const std::vector<Vector>& points, const std::vector<Facet>& facets,
+                                            const double tolerance)
 {
-  std::vector<Vector> points;
-  Vector low = to_vector(region.point(*region.vertices().begin())), high = low;
-  for (const Region_mesh::Vertex_index v : region.vertices())
+  Vector low = points.front(), high = low;
+  for (const Vector& p : points)
   {
-    points.push_back(to_vector(region.point(v)));
-    low = low.cwiseMin(points.back());
-    high = high.cwiseMax(points.back());
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
   }
   const double size = (high - low).norm(), thickness = (std::min)(tolerance, 0.01 * size);
   Region_plane plane = best_plane(points, size);
   if (std::any_of(points.begin(), points.end(), [&](const Vector& p) { return !(std::abs(plane(p).value) <= thickness); }))
     return std::nullopt;
   double projected_area = 0, area = 0;
-  for (const Facet& facet : facets_of(region, [](const Region_mesh::Vertex_index v) { return std::size_t(v); }))
+  for (const Facet& facet : facets)
   {
     const Vector twice = (points[facet[1]] - points[facet[0]]).cross(points[facet[2]] - points[facet[0]]);
     projected_area += plane.normal.dot(twice);
     area += twice.norm();
   }
-  // The region is folded or has no area: there is no side to look to.
+  // They are folded or have no area: there is no side to look to.
   if (!(std::abs(projected_area) > 0.5 * area))
     return std::nullopt;
   if (projected_area < 0)
     plane.normal = -plane.normal;
   return plane;
+}
+
+// the same for a region
+inline std::optional<Region_plane> plane_of(const Region_mesh& region, const double tolerance)
+{
+  std::vector<Vector> points;
+  for (const Region_mesh::Vertex_index v : region.vertices())
+    points.push_back(to_vector(region.point(v)));
+  return plane_of(points, facets_of(region, [](const Region_mesh::Vertex_index v) { return std::size_t(v); }), tolerance);
 }
 
 } // namespace internal

@@ -89,6 +89,11 @@ public:
     if (m_interruption.ask())
       return;
     report_progress(0);
+    if (!keeps_error() && m_statistics.number_of_collapses == 0)
+    {
+      write_stage(m_mesh, "finished");
+      return; // it is the input, or what that was split to
+    }
     Reference_samples samples(m_input.points(), m_input.facets(), areas_around(new_vertices), number_of_samples());
     samples.template sort_by<ConcurrencyTag>([&](const Reference_sample& s) { return new_vertices[s.start]; });
     Owners owners(m_mesh, samples);

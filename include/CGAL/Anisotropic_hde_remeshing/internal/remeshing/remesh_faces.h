@@ -139,6 +139,11 @@ struct No_function_of_regions
   No_function piece(std::size_t) const { return No_function(); }
 };
 
+// Marks named parameters: a result that misses the number of faces asked for is not stored, and tells of no faces.
+enum Must_meet_number
+{
+};
+
 template <typename Function>
 constexpr bool has_values =
     !std::is_same<Function, No_function>::value && !std::is_same<Function, No_function_of_regions>::value;
@@ -191,6 +196,15 @@ public:
       return m_result;
     }
     m_result.was_stopped = m_interruption.is_requested();
+    if constexpr (is_given<NamedParameters, Must_meet_number>)
+    {
+      write_counts();
+      if (m_result.misses_number_of_faces())
+      {
+        m_result.number_of_faces = 0;
+        return m_result;
+      }
+    }
     if (!m_result.was_stopped || m_result.number_of_iterations > 0) // otherwise some vertices may not be on the surface yet
       store();
     return m_result;

@@ -17,11 +17,15 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/parameter_types.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/type_traits.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/visitor_parameter.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/regions/Facet_planes.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/regions/Facet_regions.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/has_long_facets.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/keep_sharp_curves.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/input_locations.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/remesh_faces.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/remeshing_parameters.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/targets/Metric_embedding.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/targets/Target_length.h>
 #include <CGAL/Anisotropic_hde_remeshing/parameters.h>
 #include <CGAL/Piecewise_rbf_implicit_function.h>
 #include <CGAL/Rbf_implicit_function.h>
@@ -34,6 +38,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <type_traits>
 
 namespace CGAL {
@@ -157,13 +162,18 @@ Remeshing_result remesh_on_surface(const Faces& faces, TriangleMesh& tmesh, cons
   return Remeshing_result();
 }
 
+// the parameters of a remeshing by measured error, whichever embedding they have
+template <typename NamedParameters>
+auto by_measured_error(const NamedParameters& np)
+{
+  return with_mark<Is_by_error>(np).remeshing_scheme(Remeshing_scheme::MEASURED_ERROR);
+}
+
 // Remeshes by measured error. No function is needed. With a sharp angle there are regions and creases.
 template <typename ConcurrencyTag, typename FaceRange, typename TriangleMesh, typename NamedParameters>
 Remeshing_result remesh_faces_by_error(const FaceRange& faces, TriangleMesh& tmesh, const bool is_whole_mesh,
                                        const NamedParameters& np)
 {
-  const auto by_error = [](const NamedParameters& given)
-  { return parameters::begin_with(given).embedding(Normal_embedding(0)).remeshing_scheme(Remeshing_scheme::MEASURED_ERROR); };
   if constexpr (is_given<NamedParameters, internal_np::sharp_angle_t>)
   {
     const auto edge_is_crease = get(dynamic_edge_property_t<bool>(), tmesh);
@@ -171,10 +181,10 @@ Remeshing_result remesh_faces_by_error(const FaceRange& faces, TriangleMesh& tme
     const Surface_regions regions = detect_surface_regions(tmesh, edge_is_crease, face_region, np);
     typedef Crease_maps<std::decay_t<decltype(edge_is_crease)>, std::decay_t<decltype(face_region)>> Creases;
     return remesh_faces<ConcurrencyTag>(faces, tmesh, No_function_of_regions{regions.number_of_regions}, is_whole_mesh,
-                                        by_error(np), Creases{edge_is_crease, face_region});
+                                        by_measured_error(np), Creases{edge_is_crease, face_region});
   }
   else
-    return remesh_faces<ConcurrencyTag>(faces, tmesh, No_function(), is_whole_mesh, by_error(np),
+    return remesh_faces<ConcurrencyTag>(faces, tmesh, No_function(), is_whole_mesh, by_measured_error(np),
                                         crease_maps<No_function, TriangleMesh>(np));
 }
 
@@ -260,6 +270,84 @@ void build_function_of(const TriangleMesh& tmesh, const NamedParameters& np, con
   }
 }
 
+// Whether an embedding may keep to exact facets as they are: with a sharp angle, or if nothing is asked of the function.
+template <typename NamedParameters>
+constexpr bool may_keep_facets =
+    !is_error_given<NamedParameters> && !is_given<NamedParameters, internal_np::sizing_field_t> &&
+    (is_given<NamedParameters, internal_np::sharp_angle_t> || leaves_function_open<NamedParameters>);
+
+// Whether the measured error may take the place of an embedding that does not get the number of faces with all facets.
+template <typename NamedParameters>
+constexpr bool
+    may_give_way_to_error = is_none_given<NamedParameters, internal_np::target_edge_length_t,
+                                          internal_np::relative_target_edge_length_t, internal_np::project_borders_t> &&
+                            (std::is_same<Embedding_parameter<NamedParameters>, Normal_embedding>::value ||
+                             is_metric<Embedding_parameter<NamedParameters>>);
+
+// the same for these parameters and this mesh
+template <typename TriangleMesh, typename NamedParameters>
+bool keeps_facets(const TriangleMesh& tmesh, const NamedParameters& np)
+{
+  const Remeshing_parameters parameters = iteration_parameters(np);
+  const Interpolation_parameters of_function = interpolation_parameters(np);
+  return parameters.scheme != Remeshing_scheme::PAPER && parameters.number_of_iterations > 0 && !(of_function.noise > 0) &&
+         !of_function.estimates_noise && has_exact_facets(tmesh, np);
+}
+
+// Remeshes with each facet as a region, if the number of faces allows it.
+template <typename ConcurrencyTag, typename FaceRange, typename TriangleMesh, typename NamedParameters, typename Facets>
+Remeshing_result remesh_between_facets(const FaceRange& faces, TriangleMesh& tmesh, const bool is_whole_mesh,
+                                       const NamedParameters& np, const Facets& facets)
+{
+  const auto edge_is_crease = get(dynamic_edge_property_t<bool>(), tmesh);
+  const auto face_region = get(dynamic_face_property_t<std::size_t>(), tmesh);
+  typedef Crease_maps<std::decay_t<decltype(edge_is_crease)>, std::decay_t<decltype(face_region)>> Creases;
+  facets.mark(edge_is_crease, face_region);
+  const Facet_planes<Simple_cartesian<double>> function(facets.planes());
+  return remesh_faces<ConcurrencyTag>(faces, tmesh, function, is_whole_mesh, with_mark<Must_meet_number>(np),
+                                      Creases{edge_is_crease, face_region});
+}
+
+// Remeshes a mesh of exact facets by an embedding that keeps to them: each is a region, its edges are creases, and nothing is lost.
+// Where the number of faces asked for is less than that takes, the measured error leads: it loses the least, and an embedding on the
+// facets would cut across their edges. Returns none if the caller wants the embedding in any case.
+template <typename ConcurrencyTag, typename FaceRange, typename TriangleMesh, typename NamedParameters>
+std::optional<Remeshing_result> remesh_exact_facets(const FaceRange& faces, TriangleMesh& tmesh, const bool is_whole_mesh,
+                                                    const NamedParameters& np)
+{
+  static constexpr double share_of_embedding = 0.7; // of the progress
+  Remeshing_visitor nobody;
+  Visitor_parameter<NamedParameters> visitor = visitor_parameter(np, nobody);
+  typedef Visitor_of_part<std::remove_reference_t<decltype(visitor)>> Visitor;
+  Visitor of_embedding(visitor, 0, share_of_embedding), of_error(visitor, share_of_embedding, 1);
+  visitor.stage_started(Stage::IMPLICIT_FUNCTION);
+  Real_timer timer;
+  timer.start();
+  const auto vpm = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                                get_const_property_map(vertex_point, tmesh));
+  const Facet_regions<TriangleMesh, std::decay_t<decltype(vpm)>> facets(tmesh, vpm);
+  const std::size_t number_of_faces = number_of_faces_in(faces);
+  const Target_length target = target_length(np, facets.diagonal(), 1, number_of_faces);
+  if (facets.are_planar() && (!is_whole_mesh || facets.least_number_of_faces() <= target.number_of_faces_over(facets.area())))
+  {
+    const double seconds = timer.time();
+    Remeshing_result result = remesh_between_facets<ConcurrencyTag>(
+        faces, tmesh, is_whole_mesh, parameters::begin_with(np).visitor(std::ref(of_embedding)), facets);
+    result.implicit_function_seconds = seconds;
+    if (result.number_of_faces > 0 || result.was_stopped)
+    {
+      visitor.progress(1);
+      return result;
+    }
+  }
+  if constexpr (may_give_way_to_error<NamedParameters>)
+    if (iteration_parameters(np).scheme == Remeshing_scheme::DEFAULT && allowed_operations(np).has_all_of_mesh())
+      return remesh_faces_by_error<ConcurrencyTag>(
+          faces, tmesh, is_whole_mesh,
+          parameters::begin_with(np).visitor(std::ref(of_error)).number_of_target_faces(std::size_t(target.number_of_faces())));
+  return std::nullopt;
+}
+
 // Remeshes on the surface through the vertices of the whole mesh, whichever faces are remeshed.
 template <typename ConcurrencyTag, typename FaceRange, typename TriangleMesh, typename NamedParameters>
 Remeshing_result remesh_faces_on_built_surface(const FaceRange& faces, TriangleMesh& tmesh, const bool is_whole_mesh,
@@ -274,6 +362,10 @@ Remeshing_result remesh_faces_on_built_surface(const FaceRange& faces, TriangleM
     if (is_by_measured_error(np, number_of_faces_in(faces), [&] { return has_long_facets(faces, tmesh, vpm); }))
       return remesh_faces_by_error<ConcurrencyTag>(faces, tmesh, is_whole_mesh, np);
   }
+  if constexpr (may_keep_facets<NamedParameters>)
+    if (keeps_facets(tmesh, np))
+      if (const auto result = remesh_exact_facets<ConcurrencyTag>(faces, tmesh, is_whole_mesh, np))
+        return *result;
   Remeshing_visitor nobody;
   Visitor_parameter<NamedParameters> visitor = visitor_parameter(np, nobody);
   typedef Visitor_of_part<std::remove_reference_t<decltype(visitor)>> Visitor;

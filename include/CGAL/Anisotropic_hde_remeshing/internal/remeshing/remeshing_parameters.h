@@ -139,6 +139,18 @@ template <typename NamedParameters>
 constexpr bool is_error_given = is_given<NamedParameters, internal_np::approximation_error_t> ||
                                 is_given<NamedParameters, internal_np::relative_approximation_error_t>;
 
+// the same named parameters with a mark, a tag of the package's own
+template <typename Mark, typename T, typename Tag, typename Base>
+auto with_mark(const Named_function_parameters<T, Tag, Base>& np)
+{
+  return named_parameters(Named_function_parameters<bool, Mark, Named_function_parameters<T, Tag, Base>>(true, np));
+}
+
+// Marks named parameters: the measured error leads, whichever embedding the caller asks for.
+enum Is_by_error
+{
+};
+
 // The embedding that is given, or that of the metric that is given. Without one it is the paper's, with sigma in the unit of the mesh or
 // as a share of the diagonal of its bounding box. If only sizes are given, they are lengths in space, as in PMP's isotropic_remeshing. If
 // only an error is given, it is the metric of the largest distance.
@@ -151,7 +163,9 @@ auto embedding_parameter(const NamedParameters& np, const double diagonal)
   static_assert(int(has_embedding) + int(has_sigma) + int(has_relative_sigma) <= 1,
                 "embedding, sigma and relative_sigma exclude each other");
   using parameters::get_parameter;
-  if constexpr (has_embedding)
+  if constexpr (is_given<NamedParameters, Is_by_error>)
+    return Normal_embedding(0);
+  else if constexpr (has_embedding)
   {
     typedef Given_type<NamedParameters, internal_np::embedding_t> Given;
     if constexpr (is_metric_given<Given>)

@@ -46,6 +46,7 @@ class Loss_coarsener
   static constexpr double weight_of_curves = 1;         // of the planes that stand on curves
   static constexpr double largest_ratio = 100;          // of the longest edge to the altitude
   static constexpr double growth_without_loss = 16;     // of this ratio, along long facets
+  static constexpr double growth_with_loss = 2;         // of the median ratio of long facets, if that is more than this ratio
   static constexpr double least_median_ratio = 8;       // of the faces, for facets that are long as a rule
   static constexpr double ratio_of_rounding = 1 + 1e-6; // a needle is no worse than another one if it is as long
   static constexpr double smallest_cosine = 0.2;        // of the turn of a face
@@ -205,6 +206,8 @@ private:
     const double ratio = median_ratio();
     m_has_long_facets = ratio > least_median_ratio;
     m_largest_ratio_without_loss = (std::max)(largest_ratio, growth_without_loss * ratio);
+    if (m_has_long_facets)
+      m_largest_ratio = (std::max)(largest_ratio, growth_with_loss * ratio);
   }
 
   // half of the area is in faces that are as long as this, or longer
@@ -290,7 +293,7 @@ private:
   {
     if (m_mesh.degree(m_mesh.source(h)) + m_mesh.degree(m_mesh.target(h)) > largest_degree)
       return false;
-    const double largest = loses_nothing(m_mesh.edge(h), point) ? m_largest_ratio_without_loss : largest_ratio;
+    const double largest = loses_nothing(m_mesh.edge(h), point) ? m_largest_ratio_without_loss : m_largest_ratio;
     for (const Halfedge_index end : {h, m_mesh.opposite(h)})
     {
       const Vertex_index other = m_mesh.source(end);
@@ -372,7 +375,7 @@ private:
   Interruption& m_interruption;
   std::vector<Quadric> m_quadrics, m_exact_quadrics; // the latter without points, if there are long facets
   double m_square_without_loss = 0;                  // of the mean distance
-  double m_largest_ratio_without_loss = largest_ratio;
+  double m_largest_ratio = largest_ratio, m_largest_ratio_without_loss = largest_ratio;
   Vector m_origin;               // of the quadrics: far from it they would be inexact
   std::vector<Vector> m_normals; // of the area that a vertex stands for
   std::vector<double> m_areas;

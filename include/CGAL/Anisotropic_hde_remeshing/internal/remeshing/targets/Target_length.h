@@ -41,6 +41,12 @@ public:
 
   double number_of_faces() const { return m_number_of_faces; }
 
+  // the number asked for, or that of equilateral triangles of the length that fill the area in space
+  double number_of_faces_over(const double area) const
+  {
+    return m_is_length_given ? area / (0.25 * std::sqrt(3.) * m_length * m_length) : m_number_of_faces;
+  }
+
   // aims at another number of faces; `update()` makes the length follow
   void set_number_of_faces(const double number_of_faces) { m_number_of_faces = number_of_faces; }
 
