@@ -353,6 +353,13 @@ Otherwise the surface is the smooth one that `Rbf_implicit_function` lays throug
 `radial_function`. The type of `radial_function` selects the kernel. If the facets are those of a CAD program, and none of these, of
 `smoothing`, `points_on_facets`, `detect_edges` or `Remeshing_scheme::PAPER` is given, the surface is that of the facets.
 
+An embedding or a length keeps to such facets, with `sharp_angle` (then whatever is given of the function, but for `smoothing`) or without
+it, if neither an error nor `sizing_field` is given: each facet is a region, the edges between facets are creases, and nothing is lost.
+Without `sharp_angle` it does not if `edge_is_constrained_map` is given. If the number of faces asked for cannot be met so, as the
+facets are too many or too narrow for it, the remeshing goes by measured error, without the embedding, unless
+`Remeshing_scheme::EMBEDDING` is asked for: then it is uniform in the embedding, the vertices are on the facets, and edges cut across
+those between facets. A length does so where the facets have more corners than the mesh would have vertices.
+
 With `sharp_angle`, the surface is smooth between its creases only. `Anisotropic_hde_remeshing::detect_surface_regions()` finds
 the creases. The surface is that of `Piecewise_rbf_implicit_function`, and `vertex_normal_map` is not used.
 
@@ -367,7 +374,7 @@ constrained edges and patches leave the surface smooth.
                           is dropped. The edges of `edge_is_constrained_map` and the edges between two patches of
                           `face_patch_map` are creases, too, whatever their angle. In the end, `edge_is_constrained_map` is set
                           for the edges on all creases, and `face_patch_map` keeps the patches. With `protect_constraints` the
-                          creases are marked, too. If only some faces are remeshed, only the creases inside them are marked. For
+                          creases are marked, too. Where exact facets are kept, all edges between them are creases. If only some faces are remeshed, only the creases inside them are marked. For
                           machine parts 20 to 40 are good. (CGAL's parameter `sharpness_angle` is another one: the width, 0 to
                           90 degrees, of a weight for the normals of neighbouring points.)}
     \cgalParamType{a number of more than 0 and less than 180}

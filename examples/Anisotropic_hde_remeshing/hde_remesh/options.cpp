@@ -187,7 +187,7 @@ void add_remeshing_options(CLI::App& app, Options& o)
                  "Dassi, Farrell and Si.\n"
                  "By default the first if a number is asked for that is at most 3/4 of that of IN, or any if more than 1/4\n"
                  "of the area is in triangles 8 times as long as high, and nothing of the embedding or the smooth\n"
-                 "function; else the second")
+                 "function; else the second, but the first where that cannot keep exact facets")
       ->check(CLI::IsMember({"default", "measured-error", "embedding", "paper"}))
       ->group(group);
   app.add_option("--iterations", o.iterations, "number of iterations")->group(group);

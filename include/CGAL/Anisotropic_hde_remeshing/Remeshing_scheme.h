@@ -22,7 +22,8 @@ enum class Remeshing_scheme
   /// `MEASURED_ERROR` if an error is asked for, or a number of faces that is at most three quarters of that of the input, or any
   /// number where more than a quarter of the area is in faces whose longest edge is more than eight times the altitude over it, or
   /// in facets of several faces in one plane that are long and turn by much, as those of a cylinder of few sides; and
-  /// neither an embedding, nor a length, a function or a parameter of one of these. Otherwise `EMBEDDING`.
+  /// neither an embedding, nor a length, a function or a parameter of one of these. Otherwise `EMBEDDING`; but of such faces and
+  /// facets, if an embedding that keeps them does not meet the number of faces, `MEASURED_ERROR`.
   DEFAULT,
   /// Algorithm 2 of the paper. An iteration first repeats three operations until nothing is contracted: it contracts edges
   /// below half of the target length, smooths the 30% of the vertices with the smallest 6D angles, and flips edges. Then it

@@ -34,6 +34,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/samples/Sample_owners.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/samples/Shape_price.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/samples/Two_sided_check.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/samples/distance_both_ways.h>
 
 #include <algorithm>
 #include <cmath>
@@ -89,7 +90,8 @@ public:
     if (m_interruption.ask())
       return;
     report_progress(0);
-    if (!keeps_error() && m_statistics.number_of_collapses == 0)
+    Start start;
+    if ((!keeps_error() && m_statistics.number_of_collapses == 0) || (compares_rounds() && is_exact(start)))
     {
       write_stage(m_mesh, "finished");
       return; // it is the input, or what that was split to
@@ -113,6 +115,8 @@ public:
       m_number_of_rounds_done = round + 1;
       report_progress(double(round + 1) / m_number_of_rounds);
     }
+    if (compares_rounds())
+      return_to(start);
     if (keeps_error())
     {
       flip_edges(tools);
@@ -164,6 +168,40 @@ private:
     };
     parallel_for<ConcurrencyTag>(vertices.size(), [&](const std::size_t i) { areas[i] = mean_area(vertices[i]); });
     return areas;
+  }
+
+  // Long and exact facets are samples of nothing. So the rounds, which go by samples, may take the mesh away from them.
+  bool compares_rounds() const
+  {
+    return m_parameters.has_long_facets && !keeps_error() && m_number_of_rounds > 0 && m_parameters.aspect_ratio_bound == 0;
+  }
+
+  // the mesh before the rounds, and its distance to the input
+  struct Start
+  {
+    Mesh mesh;
+    Rms_and_max distance;
+  };
+
+  // Whether the mesh is the input, to the rounding of files in single precision. If not, the start is kept.
+  bool is_exact(Start& start) const
+  {
+    static constexpr double rounding = 1e-7; // of the diagonal
+    start.distance = distance_both_ways<ConcurrencyTag>(m_mesh, m_input);
+    if (start.distance.max <= rounding * m_input.diagonal())
+      return true;
+    start.mesh = m_mesh;
+    return false;
+  }
+
+  // Takes the rounds back if they have gained less in one of the distances than they have lost in the other.
+  void return_to(const Start& start)
+  {
+    const Rms_and_max distance = distance_both_ways<ConcurrencyTag>(m_mesh, m_input);
+    if (distance.rms * distance.max <= start.distance.rms * start.distance.max)
+      return;
+    m_mesh = start.mesh;
+    m_guard.template update_all<ConcurrencyTag>(m_interruption);
   }
 
   // whether the mesh with a number of faces is the input to rounding

@@ -270,11 +270,13 @@ void build_function_of(const TriangleMesh& tmesh, const NamedParameters& np, con
   }
 }
 
-// Whether an embedding may keep to exact facets as they are: with a sharp angle, or if nothing is asked of the function.
+// Whether an embedding may keep to exact facets as they are: with a sharp angle, or if nothing is asked of the function. A map of
+// constrained edges tells of all curves in the end, and without a sharp angle its owner expects none but his own.
 template <typename NamedParameters>
 constexpr bool may_keep_facets =
     !is_error_given<NamedParameters> && !is_given<NamedParameters, internal_np::sizing_field_t> &&
-    (is_given<NamedParameters, internal_np::sharp_angle_t> || leaves_function_open<NamedParameters>);
+    (is_given<NamedParameters, internal_np::sharp_angle_t> ||
+     (leaves_function_open<NamedParameters> && !is_given<NamedParameters, internal_np::edge_is_constrained_t>));
 
 // Whether the measured error may take the place of an embedding that does not get the number of faces with all facets.
 template <typename NamedParameters>
