@@ -358,7 +358,8 @@ it, if neither an error nor `sizing_field` is given: each facet is a region, the
 Without `sharp_angle` it does not if `edge_is_constrained_map` is given. If the number of faces asked for cannot be met so, as the
 facets are too many or too narrow for it, the remeshing goes by measured error, without the embedding, unless
 `Remeshing_scheme::EMBEDDING` is asked for: then it is uniform in the embedding, the vertices are on the facets, and edges cut across
-those between facets. A length does so where the facets have more corners than the mesh would have vertices.
+those between facets. So it does where no number is asked for, and with a length where the facets have more corners than the mesh would
+have vertices.
 
 With `sharp_angle`, the surface is smooth between its creases only. `Anisotropic_hde_remeshing::detect_surface_regions()` finds
 the creases. The surface is that of `Piecewise_rbf_implicit_function`, and `vertex_normal_map` is not used.

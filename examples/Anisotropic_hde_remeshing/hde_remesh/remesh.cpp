@@ -162,11 +162,13 @@ bool keeps_facets(const Mesh& mesh, const Sizes& sizes, const Options& o)
          (o.sharp || !is_function_asked_for(o)) && Hde_internal::has_long_facets(faces(mesh), mesh, mesh.points());
 }
 
-// whether the measured error may take the place of the embedding
+// Whether the measured error may take the place of the embedding: for a number that is asked for, not for other triangles than those of
+// IN, which are what loses the least.
 bool may_give_way_to_error(const Sizes& sizes, const Options& o)
 {
   const Embedding embedding = embedding_of(sizes, o);
-  return o.scheme == "default" && !sizes.edge_length && (embedding == Embedding::NORMALS || embedding == Embedding::METRIC);
+  return o.scheme == "default" && (o.faces || o.vertices) &&
+         (embedding == Embedding::NORMALS || embedding == Embedding::METRIC);
 }
 
 Remeshed remesh_with_function(const Mesh& mesh, const Sizes& sizes, const Options& options, Progress& progress,

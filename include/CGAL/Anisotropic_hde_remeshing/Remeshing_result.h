@@ -101,7 +101,8 @@ struct Remeshing_result
   std::size_t number_of_splits = 0;
   std::size_t number_of_collapses = 0;
   std::size_t number_of_flips = 0;
-  std::size_t number_of_regions = 0;           ///< between creases, each smooth: one, unless the function is piecewise
+  /// between creases, each smooth: one, unless the function is piecewise, or exact facets are kept, each as a region
+  std::size_t number_of_regions = 0;
   Feature_curves curves_before, curves_after;  ///< in the input and in the result
   std::size_t number_of_isolated_vertices = 0; ///< isolated vertices of the input, which the result does not have
   /// Vertices of the result that are further from the zero set than 1e-8 of the diagonal of the bounding box. The distance is

@@ -278,13 +278,13 @@ constexpr bool may_keep_facets =
     (is_given<NamedParameters, internal_np::sharp_angle_t> ||
      (leaves_function_open<NamedParameters> && !is_given<NamedParameters, internal_np::edge_is_constrained_t>));
 
-// Whether the measured error may take the place of an embedding that does not get the number of faces with all facets.
+// Whether the measured error may take the place of an embedding that does not get the number of faces asked for with all facets. Who
+// asks for none wants other faces, and not those of the input, which are what loses the least.
 template <typename NamedParameters>
-constexpr bool
-    may_give_way_to_error = is_none_given<NamedParameters, internal_np::target_edge_length_t,
-                                          internal_np::relative_target_edge_length_t, internal_np::project_borders_t> &&
-                            (std::is_same<Embedding_parameter<NamedParameters>, Normal_embedding>::value ||
-                             is_metric<Embedding_parameter<NamedParameters>>);
+constexpr bool may_give_way_to_error = is_given<NamedParameters, internal_np::number_of_target_faces_t> &&
+                                       !is_given<NamedParameters, internal_np::project_borders_t> &&
+                                       (std::is_same<Embedding_parameter<NamedParameters>, Normal_embedding>::value ||
+                                        is_metric<Embedding_parameter<NamedParameters>>);
 
 // the same for these parameters and this mesh
 template <typename TriangleMesh, typename NamedParameters>
@@ -344,9 +344,8 @@ std::optional<Remeshing_result> remesh_exact_facets(const FaceRange& faces, Tria
   }
   if constexpr (may_give_way_to_error<NamedParameters>)
     if (iteration_parameters(np).scheme == Remeshing_scheme::DEFAULT && allowed_operations(np).has_all_of_mesh())
-      return remesh_faces_by_error<ConcurrencyTag>(
-          faces, tmesh, is_whole_mesh,
-          parameters::begin_with(np).visitor(std::ref(of_error)).number_of_target_faces(std::size_t(target.number_of_faces())));
+      return remesh_faces_by_error<ConcurrencyTag>(faces, tmesh, is_whole_mesh,
+                                                   parameters::begin_with(np).visitor(std::ref(of_error)));
   return std::nullopt;
 }
 
