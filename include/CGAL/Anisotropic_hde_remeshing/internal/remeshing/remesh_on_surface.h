@@ -292,6 +292,7 @@ bool keeps_facets(const TriangleMesh& tmesh, const NamedParameters& np)
 {
   const Remeshing_parameters parameters = iteration_parameters(np);
   const Interpolation_parameters of_function = interpolation_parameters(np);
+  sharp_angle_parameter(np); // throws if it is out of its range
   return parameters.scheme != Remeshing_scheme::PAPER && parameters.number_of_iterations > 0 && !(of_function.noise > 0) &&
          !of_function.estimates_noise && has_exact_facets(tmesh, np);
 }
