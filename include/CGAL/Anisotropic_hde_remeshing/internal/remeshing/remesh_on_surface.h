@@ -337,7 +337,9 @@ std::optional<Remeshing_result> remesh_exact_facets(const FaceRange& faces, Tria
     Remeshing_result result = remesh_between_facets<ConcurrencyTag>(
         faces, tmesh, is_whole_mesh, parameters::begin_with(np).visitor(std::ref(of_embedding)), facets);
     result.implicit_function_seconds = seconds;
-    if (result.number_of_faces > 0 || result.was_stopped)
+    if (result.was_stopped)
+      return result;
+    if (result.number_of_faces > 0)
     {
       visitor.progress(1);
       return result;
