@@ -172,8 +172,10 @@ void test_distance(const std::string& name, const Mesh& input, const std::size_t
   const Hde::Shape_measures shape = Hde::measure_shape(by_error);
   std::cout << name << ": rms " << distance.rms() << " (embedding " << other.rms() << "), largest " << distance.max() << " ("
             << other.max() << "), aspect ratio " << shape.aspect_ratio_mean << std::endl;
-  CHECK(distance.rms() * least_gain < other.rms());
-  CHECK(distance.max() < other.max());
+  // exact facets, as of a block: the embedding keeps them, and nothing is left to gain but the rounding of the fit
+  const bool is_kept_by_embedding = other.max() <= 1e-9;
+  CHECK(is_kept_by_embedding ? distance.rms() < 1e-6 : distance.rms() * least_gain < other.rms());
+  CHECK(is_kept_by_embedding ? distance.max() < 1e-5 : distance.max() < other.max());
 }
 
 // which scheme the default is
