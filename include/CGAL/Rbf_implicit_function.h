@@ -51,13 +51,21 @@ The points are distributed over patches that overlap. Each patch interpolates th
 \f$ \varepsilon_i \f$ at the off-surface points \f$ x_i + \varepsilon_i n_i \f$. The patches are solved in parallel. Smooth
 weights that sum to one blend them into one function. It is twice continuously differentiable with `Polyharmonic_rbf`.
 
-<b>On facets.</b> Where long facets meet short ones, or large ones small ones, as in meshes of CAD programs and of simplification,
-a smooth surface through the vertices alone swells between them. There the function interpolates points on facets, too: the middles
-of edges that are longer than 2.5 times the size there, the longest first, if no point is near. The size is between the least and
-the mean altitude of the facets around. It grows by at most half of the way from a smaller one, and less where the surface bends.
-The normals of these points are those of the facets. A point is off its facet only where the normals at the vertices tell a bend: if
-they turn little, and alike at both ends of each edge. A mesh whose triangles are all about alike gets none of these points, and
-at most four are added for a vertex.
+<b>Adapted meshes.</b> Simplification adapts a mesh to the shape: it puts vertices off the surface, so that the facets are on it
+in the mean. There four points of each facet stand for the vertices: the centre, with the normal of the facet, and those halfway
+from it to the vertices, without a normal. They have a variance on the diagonal of the system, in proportion to what the kernel
+varies by over their spacing, so the surface passes near them. A mesh is taken for adapted at a vertex if among some ten rings
+around at least 30% of the vertices are at an edge longer than 2.5 times the size there (below), and along at least 25% of the
+edges that are not flat the normals at both ends tell no arc. So even meshes, and exact samples of smooth surfaces, are
+interpolated at their vertices. The boundary is always. It takes up to twice the time to build.
+
+<b>On facets.</b> Where long facets meet short ones elsewhere, or large ones small ones, as in meshes of CAD programs, a smooth
+surface through the vertices alone swells between them. There the function interpolates points on facets, too: the middles of
+edges that are longer than 2.5 times the size there, the longest first, if no point is near. The size is between the least and
+the mean altitude of the facets around. It grows by at most half of the way from a smaller one, and less where the surface
+bends. The normals of these points are those of the facets. A point is off its facet only where the normals at the vertices tell
+a bend: if they turn little, and alike at both ends of each edge. A mesh whose triangles are all about alike gets none of these
+points, and at most four are added for a vertex, but for adapted meshes.
 
 <b>Edges.</b> Where facets turn by more than a radian, 57 degrees, across an edge, the surface is not smooth at its own sampling: it
 would have to bend as sharply as a facet is wide. A normal between those of the facets would make it swell on both sides. So
@@ -197,8 +205,8 @@ public:
       \cgalParamDefault{0}
     \cgalParamNEnd
     \cgalParamNBegin{points_on_facets}
-      \cgalParamDescription{if `input` is a mesh: whether to interpolate points on facets, too, where these are large for what
-                            is around them, and to check the function on all facets}
+      \cgalParamDescription{if `input` is a mesh: whether points on facets count, too, where these are large for what is around
+                            them, or the mesh is adapted to the shape, and to check the function on all facets}
       \cgalParamType{Boolean}
       \cgalParamDefault{`true`, but without effect if there is noise}
     \cgalParamNEnd
@@ -377,14 +385,17 @@ private:
     diagnostics.memory_bytes += m_interpolant->memory_bytes();
     diagnostics.number_of_points = sample.size();
     diagnostics.number_of_points_on_facets = sample.number_of_points_on_facets;
+    diagnostics.number_of_replaced_vertices =
+        std::size_t(std::count(sample.data.begin(), sample.data.end(), Anisotropic_hde_remeshing::internal::Datum::NONE));
     diagnostics.number_of_points_on_edges =
         std::size_t(std::count(sample.is_on_edge.begin(), sample.is_on_edge.end(), char(1)));
     diagnostics.number_of_isolated_vertices = sample.number_of_isolated_vertices;
     diagnostics.number_of_duplicate_points = sample.number_of_duplicate_points;
     diagnostics.number_of_outliers = sample.number_of_outliers;
     diagnostics.number_of_wrong_normals = sample.number_of_wrong_normals;
-    diagnostics.number_of_points_without_normal = std::size_t(std::count_if(
-        sample.normals.begin(), sample.normals.end(), [](const Eigen::Vector3d& normal) { return normal.isZero(0); }));
+    diagnostics.number_of_points_without_normal = std::size_t(
+        std::count_if(sample.normals.begin(), sample.normals.end() - std::ptrdiff_t(sample.number_of_points_on_facets),
+                      [](const Eigen::Vector3d& normal) { return normal.isZero(0); }));
     diagnostics.worst_value_residual /= m_normalization.scale;
     diagnostics.input_seconds = input_seconds;
     return std::make_shared<const Anisotropic_hde_remeshing::Rbf_diagnostics>(diagnostics);

@@ -14,8 +14,10 @@
 #include <CGAL/Piecewise_rbf_implicit_function.h>
 #include <CGAL/Rbf_implicit_function.h>
 
+#include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Closest_facet.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Facet_check.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/sample_mesh.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/measures/Measured_mesh.h>
 
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_filter.h>
@@ -28,6 +30,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iostream>
+#include <utility>
 #include <vector>
 
 using namespace shapes;
@@ -58,26 +61,28 @@ Mesh open_cylinder(const std::size_t sides, const std::size_t bands)
   return to_mesh(soup);
 }
 
-struct At_400_vertices
+struct At_number_of_vertices
 {
+  std::size_t n;
   template <typename FT, typename Profile>
   bool operator()(const FT&, const Profile& profile, std::size_t, std::size_t) const
   {
-    return profile.surface_mesh().number_of_vertices() <= 400;
+    return profile.surface_mesh().number_of_vertices() <= n;
   }
 };
 
-// an ellipsoid, reduced by edge collapse: long along the ellipsoid, short around it, and the vertices are off it
-Mesh adapted_ellipsoid()
+// reduced by edge collapse: facets are long where the surface is straight, and vertices are off it
+Mesh adapted(Mesh mesh, const std::size_t n)
 {
-  Mesh mesh = ellipsoid(5);
-  SMS::edge_collapse(mesh, At_400_vertices(),
+  SMS::edge_collapse(mesh, At_number_of_vertices{n},
                      CGAL::parameters::get_cost(SMS::LindstromTurk_cost<Mesh>())
                          .get_placement(SMS::LindstromTurk_placement<Mesh>())
                          .filter(SMS::Bounded_normal_change_filter<>()));
   mesh.collect_garbage();
   return mesh;
 }
+
+Mesh adapted_ellipsoid() { return adapted(ellipsoid(5), 400); }
 
 // A fan of needles in a plane around a low tip, of which some have no area. The aspect ratio is 6,000.
 Mesh needles()
@@ -92,6 +97,15 @@ Mesh needles()
     soup.triangles.push_back({0, 1 + i, 1 + (i + 1) % n});
   }
   return to_mesh(soup);
+}
+
+// a sphere of even triangles, of which the vertices are off it by up to a tenth of an edge
+Mesh rough_sphere()
+{
+  Mesh mesh = icosphere(4);
+  for (const Mesh::Vertex_index v : mesh.vertices())
+    mesh.point(v) = CGAL::ORIGIN + (1 + 0.007 * std::sin(1000. * double(std::size_t(v)))) * (mesh.point(v) - CGAL::ORIGIN);
+  return mesh;
 }
 
 // points of all faces
@@ -296,6 +310,70 @@ void test_stretched_triangles()
   }
 }
 
+// the nearest zero along the gradient, again and again
+template <typename F>
+Point_3 foot(const F& f, Point_3 p)
+{
+  for (int step = 0; step < 20; ++step)
+  {
+    const auto at_p = f.value_and_gradient(p);
+    p = p - at_p.first / at_p.second.squared_length() * at_p.second;
+  }
+  return p;
+}
+
+// root mean square of the distances of points to facets
+double rms_distance(const std::vector<Point_3>& points, const Mesh& mesh)
+{
+  namespace internal = CGAL::Anisotropic_hde_remeshing::internal;
+  const internal::Measured_mesh measured = internal::read_measured_mesh(mesh, CGAL::parameters::default_values());
+  const internal::Closest_facet closest(measured.points, measured.faces);
+  double sum = 0;
+  for (const Point_3& p : points)
+  {
+    const internal::Vector x = internal::to_vector(p);
+    sum += (closest(x).point - x).squaredNorm() / double(points.size());
+  }
+  return std::sqrt(sum);
+}
+
+// The surface of a reduced mesh is no further from the whole one than the reduced facets are. Through the vertices, which are
+// off the surface, it is three to five times as far.
+void test_adapted_meshes()
+{
+  Mesh lion;
+  if (!CHECK(CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(CGAL::data_file_path("meshes/lion-head.off"), lion)))
+    return;
+  for (const Mesh& whole : {bumpy_sphere(5), lion})
+    for (const std::size_t part : {8, 16})
+    {
+      const Mesh mesh = adapted(whole, whole.number_of_vertices() / part);
+      const Parallel_function f(mesh), of_vertices(mesh, params::points_on_facets(false).detect_edges(false));
+      std::vector<Point_3> points, feet, feet_of_vertices;
+      for (const Mesh::Face_index face : mesh.faces())
+        for (const auto& [u, v] : {std::pair(1. / 3, 1. / 3), std::pair(0.6, 0.2), std::pair(0.2, 0.6), std::pair(0.2, 0.2)})
+        {
+          const Mesh::Halfedge_index h = mesh.halfedge(face);
+          points.push_back(CGAL::barycenter(mesh.point(mesh.source(h)), u, mesh.point(mesh.target(h)), v,
+                                            mesh.point(mesh.target(mesh.next(h))), 1 - u - v));
+          feet.push_back(foot(f, points.back()));
+          feet_of_vertices.push_back(foot(of_vertices, points.back()));
+        }
+      const double facets = rms_distance(points, whole), ratio = rms_distance(feet, whole) / facets,
+                   ratio_of_vertices = rms_distance(feet_of_vertices, whole) / facets;
+      std::cout << "reduced to " << mesh.number_of_vertices() << " vertices, " << f.diagnostics().number_of_replaced_vertices
+                << " replaced: " << ratio << " of the distance of the facets, of vertices only " << ratio_of_vertices
+                << std::endl;
+      CHECK(ratio <= 1);
+      CHECK(ratio_of_vertices >= 1.5);
+      CHECK(f.diagnostics().number_of_replaced_vertices > 0.9 * double(mesh.number_of_vertices()));
+      CHECK(of_vertices.diagnostics().number_of_replaced_vertices == 0);
+    }
+  // vertices of stretched and of rough meshes stay
+  CHECK(Parallel_function(ellipsoid(3)).diagnostics().number_of_replaced_vertices == 0);
+  CHECK(Parallel_function(rough_sphere()).diagnostics().number_of_replaced_vertices == 0);
+}
+
 // An edge of a cube is an edge, not a bend as wide as a facet: no normal says so, and the surface is nearer to both sides. That can
 // be turned off, and normals of the caller are what he says.
 void test_edges()
@@ -344,6 +422,7 @@ int main()
   test_threads();
   test_even_meshes();
   test_stretched_triangles();
+  test_adapted_meshes();
   test_edges();
   test_regions();
   return check_summary();

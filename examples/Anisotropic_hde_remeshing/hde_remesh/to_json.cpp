@@ -94,6 +94,7 @@ Json to_json(const Hde::Rbf_diagnostics& rbf)
 {
   return {{"points", rbf.number_of_points},
           {"points_on_facets", rbf.number_of_points_on_facets},
+          {"replaced_vertices", rbf.number_of_replaced_vertices},
           {"points_on_edges", rbf.number_of_points_on_edges},
           {"duplicate_points", rbf.number_of_duplicate_points},
           {"points_without_normal", rbf.number_of_points_without_normal},
@@ -128,6 +129,7 @@ Json to_json(const Hde::Piecewise_rbf_diagnostics& pieces)
           {"regions_without_area", pieces.number_of_regions_without_area},
           {"points", pieces.number_of_points},
           {"points_on_facets", pieces.number_of_points_on_facets},
+          {"replaced_vertices", pieces.number_of_replaced_vertices},
           {"points_on_edges", pieces.number_of_points_on_edges},
           {"noise", pieces.noise},
           {"patches", pieces.number_of_patches},

@@ -44,9 +44,10 @@ struct Piecewise_rbf_diagnostics
 
   /// \name Fields
   /// @{
-  std::size_t number_of_points = 0;           ///< of all fields; a vertex on a crease is a point of each region there
-  std::size_t number_of_points_on_facets = 0; ///< those among them that are no vertices, but lie on facets
-  std::size_t number_of_points_on_edges = 0;  ///< on sharp edges inside of the regions: no off-surface points
+  std::size_t number_of_points = 0;            ///< of all fields; a vertex on a crease is a point of each region there
+  std::size_t number_of_points_on_facets = 0;  ///< those among them that are no vertices, but lie on facets
+  std::size_t number_of_replaced_vertices = 0; ///< those for which points on their facets stand
+  std::size_t number_of_points_on_edges = 0;   ///< on sharp edges inside of the regions: no off-surface points
   double noise =
       0; ///< the standard deviation of the noise of the points, `smoothing` or its estimate, in the unit of the coordinates
   std::size_t number_of_patches = 0;        ///< of the interpolants

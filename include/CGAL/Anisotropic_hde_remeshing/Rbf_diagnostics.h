@@ -25,12 +25,13 @@ struct Rbf_diagnostics
   /// @{
   std::size_t number_of_points = 0;                ///< points of the surface, without the isolated and duplicate ones below
   std::size_t number_of_points_on_facets = 0;      ///< those among them that are no vertices, but lie on facets
+  std::size_t number_of_replaced_vertices = 0;     ///< those for which points on their facets stand
   std::size_t number_of_points_on_edges = 0;       ///< on sharp edges that were detected: no off-surface points
   std::size_t number_of_isolated_vertices = 0;     ///< vertices without a face, ignored
   std::size_t number_of_duplicate_points = 0;      ///< points equal to another one, ignored
   std::size_t number_of_outliers = 0;              ///< points that all their neighbours contradict, ignored
   std::size_t number_of_wrong_normals = 0;         ///< normals that all neighbours contradict, turned or dropped
-  std::size_t number_of_points_without_normal = 0; ///< with a zero or cancelled normal: no off-surface points
+  std::size_t number_of_points_without_normal = 0; ///< given ones with a zero or cancelled normal: no off-surface points
   std::size_t number_of_shortened_offsets = 0;     ///< off-surface points set nearer or left out, as another sheet is close
   std::size_t number_of_holes = 0;                 ///< holes wider than six spacings, closed; 0 with `close_holes(false)`
   double noise =

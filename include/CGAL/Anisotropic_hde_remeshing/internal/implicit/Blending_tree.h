@@ -367,7 +367,7 @@ private:
     {
       const std::size_t i = from.indices[k];
       const double distance = node.distance(sample.points[i]);
-      const double beyond = ((side == 0 ? distance : -distance) - node.half_width) / sample.spacings[i];
+      const double beyond = ((side == 0 ? distance : -distance) - node.half_width) / sample.reach(i);
       if (!(beyond <= overlap + 1e-9)) // points of a grid may be exactly there
         continue;
       to.indices.push_back(i);
@@ -395,7 +395,7 @@ private:
     const double distance = node.distance(sample.points[i]);
     for (const int side : {0, 1})
     {
-      const double beyond = ((side == 0 ? distance : -distance) - node.half_width) / sample.spacings[i];
+      const double beyond = ((side == 0 ? distance : -distance) - node.half_width) / sample.reach(i);
       if (beyond <= m_overlap + 1e-9)
         add_point(sample, i, node.left + std::size_t(side), has_offset && beyond <= offset_overlap,
                   is_own && (distance > 0) == (side == 1), visit);

@@ -12,6 +12,7 @@
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
 #include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Vector.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Altitudes.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Facet_edges.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Surface_sample.h>
 
@@ -28,24 +29,21 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// How long an edge may be at any place of the facets for the vertices to determine the surface there. The size of a vertex is
-// between the least and the mean altitude of its facets: the least of them alone would follow every bad triangle. Sizes grow
-// gradually, from vertex to vertex and inside of facets, so that what is small is felt around. Where the surface bends, the
-// radius of the bend bounds the growth inside of a facet.
+// How long an edge may be at any place of the facets for the vertices to determine the surface there. It begins with the
+// altitudes at the vertices. Sizes grow gradually, from vertex to vertex and inside of facets, so that what is small is felt
+// around. Where the surface bends, the radius of the bend bounds the growth inside of a facet.
 class Facet_sizes
 {
   // the growth over a length, from vertex to vertex and inside of a facet
   static constexpr double growth = 0.5, inner_growth = 0.25;
   // largest size inside of a facet, over the radius
   static constexpr double share_of_radius = 0.3;
-  // over the longest edge; flatter facets say nothing
-  static constexpr double least_altitude = 1e-3;
 
 public:
   Facet_sizes(const Surface_sample& sample, const Facet_edges& edges)
-    : m_sample(sample), m_sizes(sample.size(), (std::numeric_limits<double>::infinity)()), m_radii(sample.facets.size())
+    : m_sample(sample), m_sizes(Altitudes(sample).sizes()), m_radii(sample.facets.size())
   {
-    measure(edges);
+    measure_radii(edges);
     grade(edges);
   }
 
@@ -72,35 +70,19 @@ public:
 private:
   double length(const std::size_t i, const std::size_t j) const { return (m_sample.points[i] - m_sample.points[j]).norm(); }
 
-  void measure(const Facet_edges& edges)
+  void measure_radii(const Facet_edges& edges)
   {
-    std::vector<double> sums(m_sample.size(), 0), weights(m_sample.size(), 0);
     for (std::size_t f = 0; f < m_sample.facets.size(); ++f)
     {
       const Facet& facet = m_sample.facets[f];
       const Vector& p = m_sample.points[facet[0]];
       const double area = (m_sample.points[facet[1]] - p).cross(m_sample.points[facet[2]] - p).norm();
-      double longest = 0, bend = 0;
+      double bend = 0;
       for (std::size_t k = 0; k < 3; ++k)
-      {
-        const double length_of_k = length(facet[k], facet[(k + 1) % 3]);
-        longest = (std::max)(longest, length_of_k);
-        bend = (std::max)(bend, 2 * angle_between(edges.facet_normal(f), edges.edge_normal(edges.edge(f, k))) * length_of_k);
-      }
-      const double altitude = longest > 0 ? area / longest : 0.;
+        bend = (std::max)(bend, 2 * angle_between(edges.facet_normal(f), edges.edge_normal(edges.edge(f, k))) *
+                                    length(facet[k], facet[(k + 1) % 3]));
       m_radii[f] = bend > 0 ? area / bend : (std::numeric_limits<double>::infinity)();
-      if (!(altitude > least_altitude * longest))
-        continue;
-      for (const std::size_t i : facet)
-      {
-        m_sizes[i] = (std::min)(m_sizes[i], altitude);
-        sums[i] += area * altitude;
-        weights[i] += area;
-      }
     }
-    for (std::size_t i = 0; i < m_sizes.size(); ++i)
-      if (weights[i] > 0)
-        m_sizes[i] = std::sqrt(m_sizes[i] * sums[i] / weights[i]);
   }
 
   // by the algorithm of Dijkstra, from the vertices next to which one is too large

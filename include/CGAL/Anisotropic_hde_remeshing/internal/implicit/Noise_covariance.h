@@ -23,8 +23,8 @@ namespace Anisotropic_hde_remeshing {
 namespace internal {
 
 // The covariance of the errors of the data of a patch, over tau^2, the scale of the function. Noise moves a point and its
-// off-surface points together: so their errors are the same one, and their differences still tell the slope of the function, however
-// small the offset. A little is added to off-surface points, as normals are not certain either.
+// off-surface points together: so their errors are the same one, and their differences still tell the slope of the function,
+// however small the offset. A little is added to off-surface points, as normals are not certain either.
 class Noise_covariance
 {
   static constexpr double share_of_off_surface_points = 0.1; // of the variance of a point
@@ -33,13 +33,11 @@ public:
   Noise_covariance() = default;
 
   // `point_of` are the numbers of the data points that the data belong to. Points come first, and are their own; the
-  // off-surface points of one point come together.
-  Noise_covariance(const double variance, std::vector<Eigen::Index> point_of)
-    : m_variance(variance), m_point_of(std::move(point_of))
+  // off-surface points of one point come together. `variances` are those of the points.
+  Noise_covariance(std::vector<double> variances, std::vector<Eigen::Index> point_of)
+    : m_variances(std::move(variances)), m_point_of(std::move(point_of))
   {
   }
-
-  bool is_zero() const { return m_variance == 0; }
 
   void add_to(Eigen::MatrixXd& matrix) const
   {
@@ -77,21 +75,22 @@ private:
   template <typename Visitor>
   void visit(const Visitor& visitor) const
   {
-    if (is_zero())
-      return;
     for (Eigen::Index i = 0; i < Eigen::Index(m_point_of.size()); ++i)
     {
       const Eigen::Index point = m_point_of[std::size_t(i)];
-      visitor(i, i, m_variance * (i == point ? 1 : 1 + share_of_off_surface_points));
+      const double variance = m_variances[std::size_t(point)];
+      if (variance == 0)
+        continue;
+      visitor(i, i, variance * (i == point ? 1 : 1 + share_of_off_surface_points));
       if (i == point)
         continue;
-      visitor(i, point, m_variance);
+      visitor(i, point, variance);
       for (Eigen::Index j = i - 1; j > point && m_point_of[std::size_t(j)] == point; --j)
-        visitor(i, j, m_variance);
+        visitor(i, j, variance);
     }
   }
 
-  double m_variance = 0;
+  std::vector<double> m_variances;
   std::vector<Eigen::Index> m_point_of;
 };
 

@@ -43,9 +43,10 @@ public:
   {
   }
 
-  // Places have numbers, four for a facet or one for a point, those on facets behind the facets. They are made when they are asked for. Calls visit(number, place)
-  // for all of them: for the centre of each facet, for three more in facets that are large for the points around them, and for
-  // the points if there are no facets, as for those on facets. Degenerate facets have no places.
+  // Places have numbers, four for a facet or one for a point, those on facets behind the facets. They are made when they are
+  // asked for. Calls visit(number, place) for all of them: for the centre of each facet that keeps its vertices, for three more
+  // in facets that are large for the points around them, and for the points if there are no facets, as for those on facets.
+  // Degenerate facets have no places.
   template <typename Visitor>
   void visit_places(const Visitor& visit) const
   {
@@ -56,7 +57,7 @@ public:
     for (std::size_t f = 0; f < m_sample.facets.size(); ++f)
     {
       const Place centre = place(4 * f);
-      if (!(centre.spacing > 0))
+      if (!(centre.spacing > 0) || has_replaced_vertex(m_sample.facets[f]))
         continue;
       visit(4 * f, centre);
       if (is_large(m_sample.facets[f]))
@@ -136,6 +137,12 @@ private:
   {
     const Vector &a = m_sample.points[facet[0]], &b = m_sample.points[facet[1]], &c = m_sample.points[facet[2]];
     return (std::max)((b - a).norm(), (std::max)((c - b).norm(), (a - c).norm()));
+  }
+
+  // Then there are points on the facet, which are places themselves.
+  bool has_replaced_vertex(const Facet& facet) const
+  {
+    return std::any_of(facet.begin(), facet.end(), [&](const std::size_t i) { return m_sample.datum(i) == Datum::NONE; });
   }
 
   bool is_large(const Facet& facet) const

@@ -58,9 +58,9 @@ struct Solved_patch
   Patch_record record;
 };
 
-// Interpolates the data of a patch, the paper's (12): 0 at its points, +-eps_i at the off-surface points. If the points are noisy, it
-// takes the most likely function instead, as in kriging: the data have the covariance of the noise, and the function has the scale
-// that the heights of the patch tell.
+// Interpolates the data of a patch, the paper's (12): 0 at its points, +-eps_i at the off-surface points. If the points are
+// noisy, it takes the most likely function instead, as in kriging: the data have the covariance of the noise, and the function
+// has the scale that the heights of the patch tell.
 template <typename RadialFunction, typename ConcurrencyTag>
 class Patch_solver
 {
@@ -143,6 +143,8 @@ private:
   // The scale of the interpolant is less than that of the heights, which know nothing of the slopes that off-surface points tell.
   // Factors of 3 to 10 measured alike, more on the smoothest of shapes.
   static constexpr double excess_of_scale = 7;
+  // the variance of approximate points, over the variation of the kernel; .05 to 1 measured alike on simplified meshes
+  static constexpr double share_of_variation = 0.2;
   // tau^2 where there are too few points to tell: that of a surface with a radius of about ten spacings
   static constexpr double variance_of_few_points = 0.01;
 
@@ -151,10 +153,36 @@ private:
   {
     const double variance = std::pow(m_noise / frame.unit, 2);
     if (!(variance > 0))
-      return Noise_covariance();
+      return approximation_covariance(leaf, frame, function, std::move(point_of));
     const auto likelihood = likelihood_of_heights<Eigen::MatrixXd>(m_sample, leaf, frame, function, Heights::for_scale());
     const double scale = likelihood ? likelihood->variance_of_function(variance) : variance_of_few_points;
-    return Noise_covariance(excess_of_scale * variance / scale, std::move(point_of));
+    return Noise_covariance(std::vector<double>(leaf.points.size(), excess_of_scale * variance / scale), std::move(point_of));
+  }
+
+  // Approximate points have an error in proportion to what the function varies by over their spacing, aside from quadratic
+  // polynomials. So waves shorter than a few spacings are averaged, and others stay, whatever the unit and the kernel.
+  Noise_covariance approximation_covariance(const Blending_tree::Leaf& leaf, const Patch_frame& frame,
+                                            const RadialFunction& function, std::vector<Eigen::Index> point_of) const
+  {
+    if (m_sample.data.empty())
+      return Noise_covariance();
+    std::vector<double> variances;
+    bool is_exact = true;
+    for (const std::size_t i : leaf.points)
+      if (m_sample.datum(i) != Datum::NONE)
+      {
+        const bool is_approximate = m_sample.datum(i) == Datum::APPROXIMATE;
+        variances.push_back(is_approximate ? share_of_variation * variation(function, m_sample.spacings[i] / frame.unit) : 0.);
+        is_exact = is_exact && !is_approximate;
+      }
+    return is_exact ? Noise_covariance() : Noise_covariance(std::move(variances), std::move(point_of));
+  }
+
+  // of the kernel over a length: the difference from which squares cancel. It is 4/3 length^3 for the kernel r^3.
+  static double variation(const RadialFunction& function, const double length)
+  {
+    const auto value = [&](const double r) { return function(r * r).value; };
+    return std::abs(value(0) - 4. / 3 * value(length) + 1. / 3 * value(2 * length));
   }
 
   Interpolation_coefficients solve(const Points& centres, const Eigen::MatrixXd& polynomials,
@@ -201,27 +229,33 @@ private:
   bool constraints(const Blending_tree::Leaf& leaf, const Patch_frame& frame, const double offset_factor, Points& centres,
                    Eigen::VectorXd& data, std::vector<Eigen::Index>& point_of) const
   {
-    std::vector<std::pair<std::size_t, double>> off_surface; // number in the patch, offset
-    for (std::size_t k = 0; k < leaf.points.size(); ++k)
-      if (leaf.has_offset[k])
+    std::vector<std::size_t> points;                         // those that say something
+    std::vector<std::pair<std::size_t, double>> off_surface; // number among them, offset
+    for (std::size_t l = 0; l < leaf.points.size(); ++l)
+    {
+      const std::size_t i = leaf.points[l], k = points.size();
+      if (m_sample.datum(i) == Datum::NONE)
+        continue;
+      points.push_back(i);
+      if (leaf.has_offset[l])
       {
-        const std::size_t i = leaf.points[k];
         if (m_offsets.outer(i) > 0)
           off_surface.emplace_back(k, offset_factor * m_offsets.outer(i));
         if (m_offsets.inner(i) > 0)
           off_surface.emplace_back(k, -offset_factor * m_offsets.inner(i));
       }
-    centres.resize(3, Eigen::Index(leaf.points.size() + off_surface.size()));
+    }
+    centres.resize(3, Eigen::Index(points.size() + off_surface.size()));
     data = Eigen::VectorXd::Zero(centres.cols());
     Eigen::Index next = 0;
-    for (const std::size_t i : leaf.points)
+    for (const std::size_t i : points)
     {
       point_of.push_back(next);
       centres.col(next++) = frame(m_sample.points[i]);
     }
     for (const auto& [k, offset] : off_surface)
     {
-      const std::size_t i = leaf.points[k];
+      const std::size_t i = points[k];
       point_of.push_back(Eigen::Index(k));
       centres.col(next) = frame(m_sample.points[i] + offset * m_sample.normals[i]);
       data[next++] = offset / frame.unit;

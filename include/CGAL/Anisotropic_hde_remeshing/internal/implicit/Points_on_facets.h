@@ -12,6 +12,7 @@
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
 #include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Vector.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Adapted_facets.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Facet_edges.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Facet_sizes.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Graded_point_grid.h>
@@ -30,7 +31,7 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// Points on facets that are large for what is around them, as of CAD programs and of simplification. An interpolant of the vertices
+// Points on facets that are large for what is around them, as of CAD programs. An interpolant of the vertices
 // alone swells there. Facets are divided in thought by their longest edges, as long as these are too long for the size there. The
 // middles of these edges are candidates, the longest for its size first. One is taken if no point is near. Where the normals at
 // the vertices belong to one bend, a point is on this bend. On a mesh whose
@@ -57,7 +58,8 @@ public:
   };
 
   // keeps references
-  Points_on_facets(const Surface_sample& sample, const Facet_edges& edges, Interruption& interruption)
+  Points_on_facets(const Surface_sample& sample, const Facet_edges& edges, const Adapted_facets& adapted,
+                   Interruption& interruption)
     : m_sample(sample), m_edges(edges), m_sizes(sample, m_edges)
   {
     for (std::size_t f = 0; f < sample.facets.size(); ++f)
@@ -67,7 +69,7 @@ public:
       std::array<Corner, 3> corners;
       for (std::size_t k = 0; k < 3; ++k)
         corners[k] = Corner{sample.points[facet[k]], Vector::Unit(Eigen::Index(k))};
-      if (!m_edges.facet_normal(f).isZero(0))
+      if (!m_edges.facet_normal(f).isZero(0) && !adapted.is_adapted(f))
         divide(f, corners, most_bisections);
     }
     std::stable_sort(m_points.begin(), m_points.end(),
@@ -226,11 +228,38 @@ inline void mark_edges(Surface_sample& sample, const Facet_edges& edges)
     }
 }
 
+// Adapted facets are on the surface in the mean. So the surface passes near four points of each: three at which a quadratic
+// polynomial has its mean over the facet, and the centre. The normal is that of the facet, and one point with it is enough.
+inline void add_points_on_adapted_facets(Surface_sample& sample, const Facet_edges& edges, const Adapted_facets& adapted,
+                                         std::vector<std::size_t>& changed)
+{
+  const std::size_t number_of_vertices = sample.size() - sample.number_of_points_on_facets;
+  const auto add = [&](const Vector& point, const Vector& normal)
+  {
+    changed.push_back(sample.size());
+    sample.add_point_on_facet(point, normal, false, Datum::APPROXIMATE);
+  };
+  for (std::size_t f = 0; f < sample.facets.size(); ++f)
+    if (adapted.is_adapted(f))
+    {
+      const Facet& facet = sample.facets[f];
+      const Vector centre = (sample.points[facet[0]] + sample.points[facet[1]] + sample.points[facet[2]]) / 3;
+      add(centre, edges.facet_normal(f));
+      for (const std::size_t i : facet)
+        add(0.5 * (centre + sample.points[i]), Vector::Zero());
+      changed.insert(changed.end(), facet.begin(), facet.end());
+    }
+  for (std::size_t i = 0; i < number_of_vertices; ++i)
+    if (adapted.is_replaced(i))
+      sample.data[i] = Datum::NONE;
+}
+
 // adds them to the sample, behind its vertices
 template <typename ConcurrencyTag>
 void add_points_on_facets(Surface_sample& sample, const Facet_edges& edges, Interruption& interruption)
 {
-  const Points_on_facets points_on_facets(sample, edges, interruption);
+  const Adapted_facets adapted(sample, edges);
+  const Points_on_facets points_on_facets(sample, edges, adapted, interruption);
   std::vector<std::size_t> changed;
   for (const Points_on_facets::Point& p : points_on_facets.points())
   {
@@ -238,6 +267,7 @@ void add_points_on_facets(Surface_sample& sample, const Facet_edges& edges, Inte
     changed.push_back(sample.size());
     sample.add_point_on_facet(p.point, p.normal, p.is_on_edge);
   }
+  add_points_on_adapted_facets(sample, edges, adapted, changed);
   if (!changed.empty())
     update_spacings<ConcurrencyTag>(sample, changed, interruption);
 }

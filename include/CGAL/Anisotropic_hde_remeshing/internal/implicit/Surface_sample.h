@@ -58,6 +58,14 @@ inline Normalization normalize(std::vector<Vector>& points)
   return result;
 }
 
+// what a point says of the surface
+enum class Datum : char
+{
+  EXACT,       // the surface passes through it
+  APPROXIMATE, // it passes near it
+  NONE         // nothing: it is a vertex for which points on its facets stand
+};
+
 // What the implicit function is built from: points of the surface, normalised, their unit normals, and the distances to their
 // neighbours. If they are the vertices of a mesh, there are also the facets between them, and points on facets may follow behind.
 struct Surface_sample
@@ -66,6 +74,7 @@ struct Surface_sample
   std::vector<Vector> points;
   std::vector<Vector> normals; // zero if unknown: the point has no off-surface points
   std::vector<double> spacings;
+  std::vector<Datum> data;      // what the points say; empty: all are exact
   std::vector<char> is_on_edge; // whether it has no off-surface points, as its sides look in different directions; empty: none
   std::vector<Facet> facets;
   std::size_t number_of_isolated_vertices = 0;
@@ -80,15 +89,25 @@ struct Surface_sample
   std::size_t size() const { return points.size(); }
 
   // behind all others; its spacing is not known yet
-  void add_point_on_facet(const Vector& point, const Vector& normal, const bool lies_on_edge)
+  void add_point_on_facet(const Vector& point, const Vector& normal, const bool lies_on_edge, const Datum datum = Datum::EXACT)
   {
+    if (datum != Datum::EXACT)
+      data.resize(points.size(), Datum::EXACT);
     points.push_back(point);
     normals.push_back(normal);
     spacings.push_back(0);
     if (!is_on_edge.empty())
       is_on_edge.push_back(lies_on_edge);
+    if (!data.empty() || datum != Datum::EXACT)
+      data.push_back(datum);
     ++number_of_points_on_facets;
   }
+
+  Datum datum(const std::size_t i) const { return data.empty() ? Datum::EXACT : data[i]; }
+
+  // The unit in which the influence of a point on its surroundings is measured. Approximate points are dense, and average over
+  // those around them already: so they need less overlap.
+  double reach(const std::size_t i) const { return datum(i) == Datum::APPROXIMATE ? 0.5 * spacings[i] : spacings[i]; }
 
   bool is_on_edge_of_surface(const std::size_t i) const { return !is_on_edge.empty() && is_on_edge[i] != 0; }
 

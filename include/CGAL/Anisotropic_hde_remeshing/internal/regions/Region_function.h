@@ -84,6 +84,7 @@ private:
     ++result.number_of_fields;
     result.number_of_points += field.number_of_points;
     result.number_of_points_on_facets += field.number_of_points_on_facets;
+    result.number_of_replaced_vertices += field.number_of_replaced_vertices;
     result.number_of_points_on_edges += field.number_of_points_on_edges;
     result.noise = (std::max)(result.noise, field.noise);
     result.number_of_patches += field.number_of_patches;
