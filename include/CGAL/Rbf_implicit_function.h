@@ -57,7 +57,8 @@ from it to the vertices, without a normal. They have a variance on the diagonal 
 varies by over their spacing, so the surface passes near them. A mesh is taken for adapted at a vertex if among some ten rings
 around at least 30% of the vertices are at an edge longer than 2.5 times the size there (below), and along at least 25% of the
 edges that are not flat the normals at both ends tell no arc. So even meshes, and exact samples of smooth surfaces, are
-interpolated at their vertices. The boundary is always. It takes up to twice the time to build.
+interpolated at their vertices. So are the boundary, and all vertices if `vertex_normal_map` is given. It takes up to twice the
+time to build.
 
 <b>On facets.</b> Where long facets meet short ones elsewhere, or large ones small ones, as in meshes of CAD programs, a smooth
 surface through the vertices alone swells between them. There the function interpolates points on facets, too: the middles of

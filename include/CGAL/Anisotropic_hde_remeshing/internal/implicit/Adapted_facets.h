@@ -49,6 +49,11 @@ class Adapted_facets
   static constexpr int rounds_of_means = 30;
 
 public:
+  // none
+  explicit Adapted_facets(const Surface_sample& sample) : m_is_adapted(sample.facets.size(), 0), m_is_replaced(sample.size(), 0)
+  {
+  }
+
   Adapted_facets(const Surface_sample& sample, const Facet_edges& edges) : m_is_adapted(sample.facets.size(), 0)
   {
     const std::vector<char> is_adapted = adapted_vertices(sample, edges);

@@ -254,11 +254,12 @@ inline void add_points_on_adapted_facets(Surface_sample& sample, const Facet_edg
       sample.data[i] = Datum::NONE;
 }
 
-// adds them to the sample, behind its vertices
+// Adds them to the sample, behind its vertices. If these are kept, no facet counts as adapted.
 template <typename ConcurrencyTag>
-void add_points_on_facets(Surface_sample& sample, const Facet_edges& edges, Interruption& interruption)
+void add_points_on_facets(Surface_sample& sample, const Facet_edges& edges, const bool keeps_vertices,
+                          Interruption& interruption)
 {
-  const Adapted_facets adapted(sample, edges);
+  const Adapted_facets adapted = keeps_vertices ? Adapted_facets(sample) : Adapted_facets(sample, edges);
   const Points_on_facets points_on_facets(sample, edges, adapted, interruption);
   std::vector<std::size_t> changed;
   for (const Points_on_facets::Point& p : points_on_facets.points())

@@ -154,7 +154,7 @@ std::shared_ptr<const Surface_sample> sample_input(const MeshOrPointRange& input
       mark_apexes(sample, edges);
     }
     if (interpolation.uses_facets)
-      add_points_on_facets<ConcurrencyTag>(sample, edges, interruption);
+      add_points_on_facets<ConcurrencyTag>(sample, edges, interpolation.keeps_vertices, interruption);
   }
   return std::make_shared<const Surface_sample>(std::move(sample));
 }

@@ -39,6 +39,7 @@ struct Interpolation_parameters
   bool closes_holes = true;      // whether the function is bounded where data are missing
   bool finds_edges = false;      // whether vertices on sharp edges have no normal
   bool uses_facets = false;      // whether it interpolates points on facets, too, and is checked there
+  bool keeps_vertices = false;   // whether it interpolates vertices of adapted meshes, too
 
   // Noisy facets are where no surface is, and turn where it has no edge.
   void mistrust_facets() { finds_edges = uses_facets = false; }
@@ -76,6 +77,7 @@ Interpolation_parameters interpolation_parameters(const NamedParameters& np)
   }
   result.uses_facets = true;
   result.finds_edges = is_default_parameter<NamedParameters, internal_np::vertex_normal_map_t>::value;
+  result.keeps_vertices = !result.finds_edges; // as the caller knows the surface there
   if constexpr (!is_default_parameter<NamedParameters, internal_np::detect_edges_t>::value)
     result.finds_edges = result.finds_edges && get_parameter(np, internal_np::detect_edges);
   if constexpr (!is_default_parameter<NamedParameters, internal_np::detect_outliers_t>::value)
