@@ -208,10 +208,10 @@ private:
     m_stream << "function: " << m_report.kernel << ", " << pieces.number_of_regions << " regions: " << pieces.number_of_fields
              << " fields, " << pieces.number_of_planes << " planes, " << pieces.number_of_closest_point_regions
              << " too small for a field, " << pieces.number_of_regions_without_area << " without area; "
-             << pieces.number_of_points << " points (" << pieces.number_of_points_on_facets << " on facets, "
-             << pieces.number_of_points_on_edges << " on edges), " << pieces.number_of_patches << " patches, "
-             << fixed(static_cast<double>(pieces.memory_bytes) / 1e6, 1) << " MB, residual " << number(pieces.worst_residual, 2)
-             << '\n';
+             << pieces.number_of_points << " points (" << pieces.number_of_points_on_facets << " on facets, in place of "
+             << pieces.number_of_replaced_vertices << " vertices; " << pieces.number_of_points_on_edges << " on edges), "
+             << pieces.number_of_patches << " patches, " << fixed(static_cast<double>(pieces.memory_bytes) / 1e6, 1)
+             << " MB, residual " << number(pieces.worst_residual, 2) << '\n';
     m_stream << "self-check: " << pieces.patches_repaired << " patches repaired, " << pieces.patches_on_fallback
              << " answered by the input itself (" << pieces.patches_off_facets << " too far from facets, after "
              << pieces.number_of_refined_places << " points were added there), " << pieces.number_of_failed_checks
@@ -222,10 +222,10 @@ private:
   void print_function(const Hde::Rbf_diagnostics& rbf)
   {
     m_stream << "function: " << m_report.kernel << ", " << rbf.number_of_points << " points (" << rbf.number_of_points_on_facets
-             << " on facets, " << rbf.number_of_points_on_edges << " on edges), " << rbf.number_of_patches << " patches of "
-             << fixed(rbf.mean_centres, 0) << " centres (at most " << rbf.max_centres << "), "
-             << fixed(static_cast<double>(rbf.memory_bytes) / 1e6, 1) << " MB, residual " << number(rbf.worst_residual, 2)
-             << '\n';
+             << " on facets, in place of " << rbf.number_of_replaced_vertices << " vertices; " << rbf.number_of_points_on_edges
+             << " on edges), " << rbf.number_of_patches << " patches of " << fixed(rbf.mean_centres, 0) << " centres (at most "
+             << rbf.max_centres << "), " << fixed(static_cast<double>(rbf.memory_bytes) / 1e6, 1) << " MB, residual "
+             << number(rbf.worst_residual, 2) << '\n';
     m_stream << "self-check: " << rbf.patches_repaired << " patches repaired, " << rbf.patches_on_fallback
              << " answered by the input itself (" << rbf.patches_off_facets << " too far from facets, after "
              << rbf.number_of_refined_places << " points were added there), " << rbf.number_of_failed_checks
