@@ -55,10 +55,10 @@ weights that sum to one blend them into one function. It is twice continuously d
 in the mean. There four points of each facet stand for the vertices: the centre, with the normal of the facet, and those halfway
 from it to the vertices, without a normal. They have a variance on the diagonal of the system, in proportion to what the kernel
 varies by over their spacing, so the surface passes near them. A mesh is taken for adapted at a vertex if among some ten rings
-around at least 30% of the vertices are at an edge longer than 2.5 times the size there (below), and along at least 25% of the
-edges that are not flat the normals at both ends tell no arc. So even meshes, and exact samples of smooth surfaces, are
-interpolated at their vertices. So are the boundary, and all vertices if `vertex_normal_map` is given. It takes up to twice the
-time to build.
+around more than half of the vertices are at an edge longer than 2.5 times the size there (below), and along more than a quarter
+of the edges that are not flat the normals at both ends tell no arc. So even meshes, and exact samples of smooth surfaces, are
+interpolated at their vertices. So are the boundary, and all vertices if `vertex_normal_map` is given. It takes one to three
+times the time to build.
 
 <b>On facets.</b> Where long facets meet short ones elsewhere, or large ones small ones, as in meshes of CAD programs, a smooth
 surface through the vertices alone swells between them. There the function interpolates points on facets, too: the middles of

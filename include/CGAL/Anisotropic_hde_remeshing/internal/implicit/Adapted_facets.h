@@ -33,11 +33,11 @@ namespace internal {
 // what is around a vertex, as single vertices look alike in all meshes.
 class Adapted_facets
 {
-  // Longest edge over the size of a vertex. Of the vertices of meshes by isotropic remeshing up to 2% are beyond it, of quadric
-  // simplification and of Lindstrom and Turk's at least 85%.
+  // Longest edge over the size of a vertex. Of the vertices of meshes by isotropic remeshing up to 2% are beyond it, or 8% of very
+  // coarse ones, of quadric simplification and of Lindstrom and Turk's at least 85%.
   static constexpr double even_length = 2.5;
   // least share of such vertices around
-  static constexpr double least_uneven_share = 0.3;
+  static constexpr double least_uneven_share = 0.5;
   // Slopes of an edge against the normals at its ends that differ by more than this share of them are no arc's.
   static constexpr double largest_difference = 0.25;
   // slopes of flat edges are noise

@@ -126,7 +126,8 @@ inline double half_diagonal(const Surface_sample& sample)
 
 inline std::size_t memory_bytes_of(const Surface_sample& sample)
 {
-  return sample.size() * (2 * sizeof(Vector) + sizeof(double)) + sample.facets.size() * sizeof(Facet);
+  return sample.size() * (2 * sizeof(Vector) + sizeof(double)) + sample.facets.size() * sizeof(Facet) +
+         sample.data.size() * sizeof(Datum);
 }
 
 // Equal points would make the system of their patch singular. The first of them stays, with the mean of their normals. Where
