@@ -60,16 +60,20 @@ public:
     m_is_replaced = is_adapted;
     std::vector<std::size_t> number_of_facets(edges.edges().size(), 0);
     for (std::size_t f = 0; f < sample.facets.size(); ++f)
+      for (std::size_t k = 0; k < 3; ++k)
+        ++number_of_facets[edges.edge(f, k)];
+    for (std::size_t f = 0; f < sample.facets.size(); ++f)
     {
       const Facet& facet = sample.facets[f];
       const int number = is_adapted[facet[0]] + is_adapted[facet[1]] + is_adapted[facet[2]];
-      m_is_adapted[f] = number >= 2 && !edges.facet_normal(f).isZero(0);
+      // Where more than two facets meet they may be the same several times, and so would be their points.
+      bool is_manifold = true;
       for (std::size_t k = 0; k < 3; ++k)
-      {
-        ++number_of_facets[edges.edge(f, k)];
-        if (m_is_adapted[f] == 0)
-          m_is_replaced[facet[k]] = 0;
-      }
+        is_manifold = is_manifold && number_of_facets[edges.edge(f, k)] <= 2;
+      m_is_adapted[f] = number >= 2 && is_manifold && !edges.facet_normal(f).isZero(0);
+      if (m_is_adapted[f] == 0)
+        for (const std::size_t i : facet)
+          m_is_replaced[i] = 0;
     }
     // The rim of the surface is where its vertices are.
     for (std::size_t e = 0; e < edges.edges().size(); ++e)
