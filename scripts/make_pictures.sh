@@ -141,6 +141,25 @@ sigma_from_zero_to_large() {
   finish sigma.png "${parts[@]}" +append "${gray[@]}"
 }
 
+# uniform in the embedding, contracted only, the default, and the least distance
+measured_error() {
+  local lion=$data/lion-head.off name whole=(lion-whole.png) detail=(lion-detail.png)
+  to_obj "$lion" lion.obj
+  "$program" "$lion" lion-embedding.obj --vertices 1000 --sigma .02 --quiet
+  "$program" "$lion" lion-contracted.obj --vertices 1000 --iterations 0 --quiet
+  "$program" "$lion" lion-default.obj --vertices 1000 --quiet
+  "$program" "$lion" lion-least.obj --vertices 1000 --scheme measured-error --fit --quiet
+  for name in embedding contracted default least; do
+    whole+=("lion-$name-whole.png")
+    detail+=("lion-$name-detail.png")
+  done
+  for name in lion lion-embedding lion-contracted lion-default lion-least; do
+    render $name.obj $name-whole.png 760,760 "$(camera lion.obj .7,.4,1 0,0,0 .8)" --edges
+    render $name.obj $name-detail.png 760,760 "$(camera lion.obj .7,.4,1 .02,0,.1 .3)" --edges
+  done
+  finish measured_error.png \( "${whole[@]}" +append \) \( "${detail[@]}" +append \) -append "${gray[@]}"
+}
+
 patches_of_the_function() {
   local k parts=()
   for k in 40 400 default; do
@@ -187,6 +206,7 @@ trap 'rm -r "$work_dir"' EXIT
 cd "$work_dir"
 bunny_before_and_after
 sigma_from_zero_to_large
+measured_error
 rounded_and_sharp "$fandisk" fandisk 20 1,.6,1.4 -.1,-.05,.1 --vertices 1500 --metric 2
 patches_of_the_function
 curvature_directions
