@@ -375,9 +375,10 @@ constrained edges and patches leave the surface smooth.
                           is dropped. The edges of `edge_is_constrained_map` and the edges between two patches of
                           `face_patch_map` are creases, too, whatever their angle. In the end, `edge_is_constrained_map` is set
                           for the edges on all creases, and `face_patch_map` keeps the patches. With `protect_constraints` the
-                          creases are marked, too. Where exact facets are kept, all edges between them are creases. If only some faces are remeshed, only the creases inside them are marked. For
-                          machine parts 20 to 40 are good. (CGAL's parameter `sharpness_angle` is another one: the width, 0 to
-                          90 degrees, of a weight for the normals of neighbouring points.)}
+                          creases are marked, too. Where exact facets are kept, all edges between them are creases. If only some
+                          faces are remeshed, only the creases inside them are marked. For machine parts 20 to 40 are good.
+                          (CGAL's parameter `sharpness_angle` is another one: the width, 0 to 90 degrees, of a weight for the
+                          normals of neighbouring points.)}
     \cgalParamType{a number of more than 0 and less than 180}
     \cgalParamDefault{the surface is smooth everywhere but at sharp curves of constrained edges or between patches}
   \cgalParamNEnd

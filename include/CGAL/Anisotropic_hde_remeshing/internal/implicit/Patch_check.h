@@ -122,7 +122,6 @@ private:
   static constexpr double large_facet = 2;      // its longest edge, in units of the spacing of its points
   static constexpr double largest_error = 4;    // of a point, in units of the noise
   static constexpr double least_distance = 0.2; // from here on the sign counts, in units of the spacing
-
   static constexpr double widest_gap = 0.9;     // to another sheet, over the distance at which the sign was asked for
   static constexpr double narrowest_gap = 1e-6; // in units of the spacing: below, sheets touch
 
