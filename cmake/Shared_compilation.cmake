@@ -30,6 +30,14 @@ if(CGAL_AHR_WITH_TBB AND TARGET CGAL::TBB_support)
   list(APPEND precompiled_headers <tbb/parallel_for.h> <tbb/parallel_sort.h>)
 endif()
 
+# compile_quickly(TARGET): with little optimisation, where CGAL_AHR_WITH_QUICK_COMPILATION asks for it. Half of the time of a compiler
+# goes into the rest, and the shared instantiations, in which programs spend most of theirs, have all of it.
+function(compile_quickly target)
+  if(CGAL_AHR_WITH_QUICK_COMPILATION AND CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+  endif()
+endfunction()
+
 set(instantiations_dir "${CMAKE_CURRENT_LIST_DIR}/shared_instantiations")
 set(parallel_instantiations "${instantiations_dir}/parallel.cpp")
 set(sequential_instantiations "${instantiations_dir}/sequential.cpp")
@@ -42,16 +50,40 @@ if(CGAL_AHR_WITH_SHARED_COMPILATION)
   add_library(sequential_instantiations STATIC EXCLUDE_FROM_ALL ${sequential_instantiations})
   target_link_libraries(sequential_instantiations PUBLIC shared_instantiations)
   target_precompile_headers(sequential_instantiations REUSE_FROM shared_instantiations)
+
+  # precompiled headers are for one level of optimisation
+  file(GENERATE OUTPUT "${PROJECT_BINARY_DIR}/quick_headers.cpp" CONTENT "// nothing but the precompiled headers\n")
+  add_library(quick_headers OBJECT EXCLUDE_FROM_ALL "${PROJECT_BINARY_DIR}/quick_headers.cpp")
+  target_link_libraries(quick_headers PRIVATE Anisotropic_hde_remeshing::Anisotropic_hde_remeshing)
+  target_compile_definitions(quick_headers PRIVATE CGAL_AHR_WITH_SHARED_INSTANTIATIONS)
+  target_precompile_headers(quick_headers PRIVATE ${precompiled_headers})
+  compile_quickly(quick_headers)
 endif()
 
-# share_compilation(TARGET [PARALLEL]): PARALLEL if it calls nothing with Sequential_tag
-function(share_compilation target)
+# share_instantiations(TARGET [PARALLEL] [OTHER_TYPES]): PARALLEL if it calls nothing with Sequential_tag; OTHER_TYPES if it has kernels,
+# embeddings or metrics other than those that are compiled here
+function(share_instantiations target)
   if(TARGET shared_instantiations)
     if("PARALLEL" IN_LIST ARGN AND CGAL_AHR_WITH_TBB AND TARGET CGAL::TBB_support)
       target_link_libraries(${target} PRIVATE shared_instantiations)
     else()
       target_link_libraries(${target} PRIVATE sequential_instantiations)
     endif()
-    target_precompile_headers(${target} REUSE_FROM shared_instantiations)
+    if("OTHER_TYPES" IN_LIST ARGN)
+      target_compile_definitions(${target} PRIVATE CGAL_AHR_WITH_OTHER_TYPES)
+    endif()
+  endif()
+endfunction()
+
+# share_compilation(TARGET [PARALLEL] [OTHER_TYPES] [QUICK]): QUICK if it may be compiled quickly
+function(share_compilation target)
+  share_instantiations(${target} ${ARGN})
+  set(headers shared_instantiations)
+  if("QUICK" IN_LIST ARGN)
+    compile_quickly(${target})
+    set(headers quick_headers)
+  endif()
+  if(TARGET ${headers})
+    target_precompile_headers(${target} REUSE_FROM ${headers})
   endif()
 endfunction()

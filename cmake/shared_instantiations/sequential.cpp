@@ -9,13 +9,19 @@
 // What the headers declare as compiled elsewhere, where CGAL_AHR_WITH_SHARED_INSTANTIATIONS is defined: the sequential
 // remesher.
 
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Rbf_field_impl.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/regions/build_region_functions_impl.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/remesh_by_error_impl.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/remesh_impl.h>
 #include <CGAL/anisotropic_hde_remeshing.h>
 
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-template class Patchwise_interpolant<Polyharmonic_rbf, Sequential_tag>;
+CGAL_AHR_COMPLETE_SAMPLE(Sequential_tag);
+CGAL_AHR_FIELD(, Polyharmonic_rbf, Sequential_tag);
+CGAL_AHR_BUILD_REGION_FUNCTIONS(Sequential_tag, Polyharmonic_rbf);
 CGAL_AHR_REMESH(Sequential_tag, Normal_embedding);
 CGAL_AHR_REMESH(Sequential_tag, Curvature_embedding);
 CGAL_AHR_REMESH_BY_ERROR(Sequential_tag);

@@ -16,13 +16,15 @@
 #include <CGAL/Anisotropic_hde_remeshing/Smoothing.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/functions/Jet.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Vector.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Rbf_field.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/interpolation_parameters.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/shares_of_construction.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Interruption.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/parameter_types.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/visitor_parameter.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/Region_function.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/regions/Region_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/build_region_functions.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/regions/noise_of_regions.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/split_regions.h>
 #include <CGAL/Anisotropic_hde_remeshing/parameters.h>
 #include <CGAL/Radial_basis_functions.h>
@@ -33,6 +35,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -92,7 +95,9 @@ public:
   */
   class Piece
   {
-    typedef Anisotropic_hde_remeshing::internal::Region_function<Field> Function;
+    typedef Anisotropic_hde_remeshing::internal::Region_function<
+        Anisotropic_hde_remeshing::internal::Rbf_field<RadialFunction, ConcurrencyTag>>
+        Function;
 
   public:
     typedef typename GeomTraits::FT FT;
@@ -108,7 +113,7 @@ public:
     Anisotropic_hde_remeshing::Piece_kind kind() const { return m_function.kind(); }
 
     /// the interpolant, if the kind is `Piece_kind::FIELD`; else a null pointer
-    const Field* field() const { return m_function.field(); }
+    const Field* field() const { return m_field ? &*m_field : nullptr; }
 
     /*!
     the value at `p`, in the unit of the coordinates
@@ -135,7 +140,11 @@ public:
   private:
     friend class Piecewise_rbf_implicit_function;
 
-    explicit Piece(Function function) : m_function(std::move(function)) {}
+    explicit Piece(Function function) : m_function(std::move(function))
+    {
+      if (auto field = m_function.field())
+        m_field.emplace(Field(std::move(field)));
+    }
 
     // of a piece that is no field
     Value_and_gradient evaluate(const Point_3& p) const
@@ -149,6 +158,7 @@ public:
     }
 
     Function m_function;
+    std::optional<Field> m_field;
   };
 
   /*!
@@ -240,7 +250,7 @@ private:
     namespace internal = Anisotropic_hde_remeshing::internal;
     Real_timer timer;
     timer.start();
-    const internal::Interpolation_parameters interpolation = internal::interpolation_parameters(np); // throws if one is wrong
+    const internal::Region_parameters<RadialFunction> parameters = region_parameters(np); // throws if one is wrong
     Anisotropic_hde_remeshing::Remeshing_visitor nobody;
     internal::Visitor_parameter<NamedParameters> visitor = internal::visitor_parameter(np, nobody);
     internal::Interruption interruption([&visitor] { return visitor.go_further(); },
@@ -250,27 +260,34 @@ private:
         face_region, interruption);
     interruption.report(internal::share_of_sample);
     const auto data = std::make_shared<Data>();
-    const auto build_regions = [&](const auto& parameters)
+    for (auto& function : internal::build_region_functions<ConcurrencyTag>(regions, parameters, interruption))
     {
-      for (auto& function : internal::build_region_functions<Field, ConcurrencyTag>(regions, parameters, interruption))
-      {
-        function.add_to(data->diagnostics);
-        data->pieces.push_back(Piece(std::move(function)));
-      }
-    };
-    if constexpr (std::is_same<internal::Given_type<NamedParameters, Anisotropic_hde_remeshing::internal_np::smoothing_t>,
-                               Anisotropic_hde_remeshing::Smoothing>::value)
-    {
-      // one noise for all regions, as most of them may be too small to tell
-      const double noise = interpolation.estimates_noise ? internal::noise_of_regions<ConcurrencyTag>(regions, interruption)
-                                                         : interpolation.noise;
-      build_regions(Anisotropic_hde_remeshing::parameters::begin_with(np).smoothing(noise));
+      function.add_to(data->diagnostics);
+      data->pieces.push_back(Piece(std::move(function)));
     }
-    else
-      build_regions(np);
     data->diagnostics.seconds = timer.time();
     m_data = data;
     interruption.report(1);
+  }
+
+  template <typename NamedParameters>
+  static Anisotropic_hde_remeshing::internal::Region_parameters<RadialFunction> region_parameters(const NamedParameters& np)
+  {
+    using parameters::choose_parameter;
+    using parameters::get_parameter;
+    namespace internal = Anisotropic_hde_remeshing::internal;
+    internal::Region_parameters<RadialFunction> result;
+    result.interpolation = internal::interpolation_parameters(
+        Anisotropic_hde_remeshing::parameters::begin_with(np).vertex_normal_map(internal_np::Param_not_found()));
+    result.interpolation.closes_holes = false;
+    result.function =
+        choose_parameter(get_parameter(np, Anisotropic_hde_remeshing::internal_np::radial_function), RadialFunction());
+    if constexpr (internal::keeps_long_facets<NamedParameters>)
+    {
+      result.keeps_long_facets = true;
+      result.has_mesh_long_facets = get_parameter(np, internal::Keeps_long_facets());
+    }
+    return result;
   }
 
   std::shared_ptr<const Data> m_data;

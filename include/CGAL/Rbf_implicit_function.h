@@ -17,9 +17,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/Smoothing.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/functions/Jet.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Vector.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Patchwise_interpolant.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Surface_sample.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Unbounded_interpolant.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Rbf_field.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/input_of_function.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/interpolation_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Interruption.h>
@@ -30,7 +28,6 @@
 #include <CGAL/Real_timer.h>
 #include <CGAL/tags.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <memory>
@@ -130,9 +127,7 @@ evaluation depends on the number of points only by the depth of the tree of patc
 template <typename GeomTraits, typename RadialFunction = Polyharmonic_rbf, typename ConcurrencyTag = Sequential_tag>
 class Rbf_implicit_function
 {
-  typedef Anisotropic_hde_remeshing::internal::Patchwise_interpolant<RadialFunction, ConcurrencyTag> Interpolant;
-  typedef Anisotropic_hde_remeshing::internal::Unbounded_interpolant<Interpolant> Unbounded_interpolant;
-  typedef Anisotropic_hde_remeshing::internal::Surface_sample Surface_sample;
+  typedef Anisotropic_hde_remeshing::internal::Rbf_field<RadialFunction, ConcurrencyTag> Field;
   template <int order>
   using Jet = Anisotropic_hde_remeshing::internal::Jet<order>;
 
@@ -263,7 +258,7 @@ public:
 
   \throw std::invalid_argument here and in the functions below if a coordinate of `p` is not finite
   */
-  FT operator()(const Point_3& p) const { return FT(evaluate<0>(p).value / m_normalization.scale); }
+  FT operator()(const Point_3& p) const { return FT(evaluate<0>(p).value / m_field->scale()); }
 
   /// the gradient at `p`, outward, of length close to 1 near the surface
   Vector_3 gradient(const Point_3& p) const { return to_vector_3(evaluate<1>(p).gradient); }
@@ -272,12 +267,12 @@ public:
   std::pair<FT, Vector_3> value_and_gradient(const Point_3& p) const
   {
     const Jet<1> jet = evaluate<1>(p);
-    return std::make_pair(FT(jet.value / m_normalization.scale), to_vector_3(jet.gradient));
+    return std::make_pair(FT(jet.value / m_field->scale()), to_vector_3(jet.gradient));
   }
 
   /// the matrix of the second derivatives at `p`, symmetric, in the inverse of the unit of the coordinates. `RadialFunction`
   /// must return second derivatives. It takes twice the time of the gradient.
-  Eigen::Matrix3d hessian(const Point_3& p) const { return evaluate<2>(p).hessian * m_normalization.scale; }
+  Eigen::Matrix3d hessian(const Point_3& p) const { return evaluate<2>(p).hessian * m_field->scale(); }
 
   /*!
   the shape operator at `p` of the level set through it, \f$ S = T H T / |\nabla f| \f$ with the Hessian \f$ H \f$, the unit
@@ -287,14 +282,14 @@ public:
   */
   Eigen::Matrix3d shape_operator(const Point_3& p) const
   {
-    return Anisotropic_hde_remeshing::internal::shape_operator(evaluate<2>(p)) * m_normalization.scale;
+    return Anisotropic_hde_remeshing::internal::shape_operator(evaluate<2>(p)) * m_field->scale();
   }
 
   /// the principal curvatures and directions at `p` of the level set through it, the eigenvalues and eigenvectors of
   /// `shape_operator()`
   Anisotropic_hde_remeshing::Principal_curvatures<Geom_traits> principal_curvatures(const Point_3& p) const
   {
-    return Anisotropic_hde_remeshing::internal::principal_curvatures<Geom_traits>(evaluate<2>(p), m_normalization.scale);
+    return Anisotropic_hde_remeshing::internal::principal_curvatures<Geom_traits>(evaluate<2>(p), m_field->scale());
   }
 
   /// the number of the patch in whose cell `p` lies, below `Rbf_diagnostics::number_of_patches`. The function at `p` is that of
@@ -303,7 +298,7 @@ public:
   {
     const Eigen::Vector3d point = Anisotropic_hde_remeshing::internal::to_vector(p);
     check_finite(point);
-    return m_interpolant->interpolant().tree().leaf_at(m_normalization(point));
+    return m_field->patch(point);
   }
 
   /// the distance from `p` to the nearest point that was given, in the unit of the coordinates. Far from these the function only
@@ -312,19 +307,19 @@ public:
   {
     const Eigen::Vector3d point = Anisotropic_hde_remeshing::internal::to_vector(p);
     check_finite(point);
-    return FT(m_interpolant->distance_to_data(m_normalization(point)) / m_normalization.scale);
+    return FT(m_field->distance_to_data(point));
   }
 
   /// a sphere that contains the zero set; without `close_holes`, only near the points
   Sphere_3 bounding_sphere() const
   {
-    const Eigen::Vector3d& c = m_normalization.centre;
-    const double radius = m_interpolant->radius() / m_normalization.scale;
+    const Eigen::Vector3d& c = m_field->centre();
+    const double radius = m_field->radius();
     return Sphere_3(Point_3(FT(c[0]), FT(c[1]), FT(c[2])), FT(radius * radius));
   }
 
   /// what the construction did
-  const Anisotropic_hde_remeshing::Rbf_diagnostics& diagnostics() const { return *m_diagnostics; }
+  const Anisotropic_hde_remeshing::Rbf_diagnostics& diagnostics() const { return m_field->diagnostics(); }
 
 private:
   template <typename MeshOrPointRange, typename NamedParameters>
@@ -335,38 +330,21 @@ private:
     namespace internal = Anisotropic_hde_remeshing::internal;
     Real_timer timer;
     timer.start();
-    internal::Interpolation_parameters interpolation = internal::interpolation_parameters(np);
+    const internal::Interpolation_parameters interpolation = internal::interpolation_parameters(np);
     Anisotropic_hde_remeshing::Remeshing_visitor nobody;
     internal::Visitor_parameter<NamedParameters> visitor = internal::visitor_parameter(np, nobody);
     internal::Interruption interruption([&visitor] { return visitor.go_further(); },
                                         [&visitor](const double share) { visitor.progress(share); });
     const RadialFunction function =
         choose_parameter(get_parameter(np, Anisotropic_hde_remeshing::internal_np::radial_function), RadialFunction());
-    const std::shared_ptr<const Surface_sample> sample =
-        internal::sample_input<ConcurrencyTag>(input, np, interpolation, interruption);
-    interruption.report(internal::share_of_sample);
-    m_normalization = sample->normalization;
-    interpolation.absolute_offset *= m_normalization.scale;
-    const double input_seconds = timer.time();
-    const auto interpolant = std::make_shared<Unbounded_interpolant>(
-        std::make_unique<const Interpolant>(sample, internal::distance_to_input<MeshOrPointRange>(sample), interpolation,
-                                            function, m_normalization.scale, interruption));
-    if (interpolation.closes_holes)
-      interpolant->close_holes(ConcurrencyTag(), interruption);
-    m_interpolant = interpolant;
-    m_diagnostics = complete(m_interpolant->interpolant().diagnostics(), m_interpolant->interpolant().sample(), input_seconds,
-                             interpolation.noise / m_normalization.scale);
-    interruption.report(1);
+    m_field = std::make_shared<const Field>(internal::sample_input(input, np, interruption), interpolation, function, timer,
+                                            interruption);
   }
 
   template <int order>
   Jet<order> evaluate(const Point_3& p) const
   {
-    const Eigen::Vector3d point = Anisotropic_hde_remeshing::internal::to_vector(p);
-    const Eigen::Vector3d normalized = m_normalization(point);
-    if (!std::isfinite(normalized.squaredNorm()))
-      check_finite(point);
-    return m_interpolant->template evaluate<order>(normalized);
+    return m_field->template evaluate<order>(Anisotropic_hde_remeshing::internal::to_vector(p));
   }
 
   static void check_finite(const Eigen::Vector3d& point)
@@ -377,34 +355,12 @@ private:
 
   static Vector_3 to_vector_3(const Eigen::Vector3d& v) { return Vector_3(FT(v[0]), FT(v[1]), FT(v[2])); }
 
-  std::shared_ptr<const Anisotropic_hde_remeshing::Rbf_diagnostics>
-  complete(Anisotropic_hde_remeshing::Rbf_diagnostics diagnostics, const Surface_sample& sample, const double input_seconds,
-           const double noise) const
-  {
-    diagnostics.noise = noise;
-    diagnostics.number_of_holes = m_interpolant->number_of_holes();
-    diagnostics.memory_bytes += m_interpolant->memory_bytes();
-    diagnostics.number_of_points = sample.size();
-    diagnostics.number_of_points_on_facets = sample.number_of_points_on_facets;
-    diagnostics.number_of_replaced_vertices =
-        std::size_t(std::count(sample.data.begin(), sample.data.end(), Anisotropic_hde_remeshing::internal::Datum::NONE));
-    diagnostics.number_of_points_on_edges =
-        std::size_t(std::count(sample.is_on_edge.begin(), sample.is_on_edge.end(), char(1)));
-    diagnostics.number_of_isolated_vertices = sample.number_of_isolated_vertices;
-    diagnostics.number_of_duplicate_points = sample.number_of_duplicate_points;
-    diagnostics.number_of_outliers = sample.number_of_outliers;
-    diagnostics.number_of_wrong_normals = sample.number_of_wrong_normals;
-    diagnostics.number_of_points_without_normal = std::size_t(
-        std::count_if(sample.normals.begin(), sample.normals.end() - std::ptrdiff_t(sample.number_of_points_on_facets),
-                      [](const Eigen::Vector3d& normal) { return normal.isZero(0); }));
-    diagnostics.worst_value_residual /= m_normalization.scale;
-    diagnostics.input_seconds = input_seconds;
-    return std::make_shared<const Anisotropic_hde_remeshing::Rbf_diagnostics>(diagnostics);
-  }
+  template <typename, typename, typename>
+  friend class Piecewise_rbf_implicit_function;
 
-  std::shared_ptr<const Unbounded_interpolant> m_interpolant;
-  std::shared_ptr<const Anisotropic_hde_remeshing::Rbf_diagnostics> m_diagnostics;
-  Anisotropic_hde_remeshing::internal::Normalization m_normalization;
+  explicit Rbf_implicit_function(std::shared_ptr<const Field> field) : m_field(std::move(field)) {}
+
+  std::shared_ptr<const Field> m_field;
 };
 
 } // namespace CGAL

@@ -139,8 +139,8 @@ std::size_t number_of_points(const PointRange& range)
   CHECK((internal::accepts_parameters<internal::Parameters_of_function_of_range, PointRange,
                                       CGAL::parameters::Default_named_parameters>()));
   internal::Interruption never;
-  return internal::sample_points<CGAL::Sequential_tag>(range, CGAL::First_of_pair_property_map<Item>(),
-                                                       CGAL::Second_of_pair_property_map<Item>(), false, false, never)
+  return internal::sample_points(range, CGAL::First_of_pair_property_map<Item>(), CGAL::Second_of_pair_property_map<Item>(),
+                                 never)
       .size();
 }
 

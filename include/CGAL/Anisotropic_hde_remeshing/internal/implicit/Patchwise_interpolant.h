@@ -20,6 +20,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Patch_solver.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Signed_distance.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/interpolation_parameters.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/shares_of_construction.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Interruption.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/parallel.h>
 
@@ -37,10 +38,6 @@
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
-
-// What is done of the function after each step, as it takes about, to tell who listens.
-constexpr double share_of_sample = 0.15, share_of_partition = 0.25, share_of_offsets = 0.35, share_of_first_solution = 0.8,
-                 share_of_check = 0.9, share_of_last_solution = 0.99;
 
 // The function s of the paper's Algorithm 1 in plain numbers. Each patch has a local interpolant that is checked and repaired.
 // The tree blends these. Far from the points the function is the signed distance to the input.
@@ -430,13 +427,6 @@ Patchwise_interpolant<RadialFunction, ConcurrencyTag>::Patchwise_interpolant(Sam
   m_diagnostics.number_of_shortened_offsets = offsets.number_of_shortened_offsets();
   m_tree.release_points();
 }
-
-#ifdef CGAL_AHR_WITH_SHARED_INSTANTIATIONS // cmake/Shared_compilation.cmake: compiled once for the package's own programs
-extern template class Patchwise_interpolant<Polyharmonic_rbf, Sequential_tag>;
-#  ifdef CGAL_LINKED_WITH_TBB
-extern template class Patchwise_interpolant<Polyharmonic_rbf, Parallel_tag>;
-#  endif
-#endif
 
 } // namespace internal
 } // namespace Anisotropic_hde_remeshing

@@ -77,6 +77,7 @@ struct Surface_sample
   std::vector<Datum> data;      // what the points say; empty: all are exact
   std::vector<char> is_on_edge; // whether it has no off-surface points, as its sides look in different directions; empty: none
   std::vector<Facet> facets;
+  bool is_of_points = false; // it is that of points without facets
   std::size_t number_of_isolated_vertices = 0;
   std::size_t number_of_duplicate_points = 0;
   std::size_t number_of_outliers = 0;      // removed

@@ -11,16 +11,7 @@
 
 #include <CGAL/license/Anisotropic_hde_remeshing.h>
 
-#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Facet_distance.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Facet_edges.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Hole_rims.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Point_distance.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Points_on_facets.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Signed_distance.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Surface_sample.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/estimate_noise.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/interpolation_parameters.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/mark_apexes.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/sample_mesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/sample_points.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Interruption.h>
@@ -31,11 +22,7 @@
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/property_map.h>
 
-#include <cstddef>
-#include <memory>
-#include <stdexcept>
 #include <type_traits>
-#include <utility>
 
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
@@ -108,63 +95,18 @@ auto normal_map_of(const NamedParameters& np)
     return parameters::get_parameter(np, internal_np::normal_map);
 }
 
-inline void check_sample(const Surface_sample& sample)
-{
-  if (sample.size() == 0)
-    throw std::invalid_argument("the input has no points");
-  bool has_normal = false, has_spacing = false;
-  for (std::size_t i = 0; i < sample.size(); ++i)
-  {
-    has_normal = has_normal || !sample.normals[i].isZero(0);
-    has_spacing = has_spacing || sample.spacings[i] > 0;
-  }
-  if (!has_normal || !has_spacing)
-    throw std::invalid_argument("the input has no point with a normal: all its faces are degenerate");
-}
-
-// Throws if no function can be built from it. Finds out the noise, if that is asked for; it is in the unit of the sample.
-template <typename ConcurrencyTag, typename MeshOrPointRange, typename NamedParameters>
-std::shared_ptr<const Surface_sample> sample_input(const MeshOrPointRange& input, const NamedParameters& np,
-                                                   Interpolation_parameters& interpolation, Interruption& interruption)
+// what the caller gives, as it is: nothing is found out about it yet
+template <typename MeshOrPointRange, typename NamedParameters>
+Surface_sample sample_input(const MeshOrPointRange& input, const NamedParameters& np, Interruption& interruption)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  Surface_sample sample;
   if constexpr (Is_range<MeshOrPointRange>::value)
-    sample = sample_points<ConcurrencyTag>(input, point_map_of<MeshOrPointRange>(np), normal_map_of<MeshOrPointRange>(np),
-                                           interpolation.detects_outliers, interpolation.closes_holes, interruption);
+    return sample_points(input, point_map_of<MeshOrPointRange>(np), normal_map_of<MeshOrPointRange>(np), interruption);
   else
-    sample = sample_mesh(
+    return sample_mesh(
         input, choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, input)),
         get_parameter(np, internal_np::vertex_normal_map), interruption);
-  check_sample(sample);
-  if (interpolation.closes_holes && !sample.facets.empty())
-    find_rims_of_mesh<ConcurrencyTag>(sample, interruption);
-  interpolation.noise *= sample.normalization.scale;
-  if (interpolation.estimates_noise)
-    interpolation.noise = estimate_noise<ConcurrencyTag>(sample, interruption);
-  if (interpolation.noise > 0)
-    interpolation.mistrust_facets();
-  if ((interpolation.uses_facets || interpolation.finds_edges) && !sample.facets.empty())
-  {
-    const Facet_edges edges(sample);
-    if (interpolation.finds_edges)
-    {
-      mark_edges(sample, edges);
-      mark_apexes(sample, edges);
-    }
-    if (interpolation.uses_facets)
-      add_points_on_facets<ConcurrencyTag>(sample, edges, interpolation.keeps_vertices, interruption);
-  }
-  return std::make_shared<const Surface_sample>(std::move(sample));
-}
-
-// the signed distance to the input
-template <typename MeshOrPointRange>
-std::shared_ptr<const Signed_distance> distance_to_input(const std::shared_ptr<const Surface_sample>& sample)
-{
-  typedef std::conditional_t<Is_range<MeshOrPointRange>::value, Point_distance, Facet_distance> Distance;
-  return std::make_shared<const Distance>(sample);
 }
 
 } // namespace internal

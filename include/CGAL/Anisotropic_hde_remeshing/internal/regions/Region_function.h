@@ -28,7 +28,7 @@ namespace Anisotropic_hde_remeshing {
 namespace internal {
 
 // The function of one region of a surface with sharp edges: a field by radial basis functions, a plane, facets, or nothing.
-// `Field` is the `Rbf_implicit_function`.
+// `Field` is an `Rbf_field`.
 template <typename Field>
 class Region_function
 {
@@ -41,7 +41,7 @@ public:
   Region_function() = default;
   explicit Region_function(const Region_plane& plane) : m_function(plane) {}
   explicit Region_function(std::shared_ptr<const Region_facets> facets) : m_function(std::move(facets)) {}
-  explicit Region_function(Field field) : m_function(std::move(field)) {}
+  explicit Region_function(std::shared_ptr<const Field> field) : m_function(std::move(field)) {}
 
   Piece_kind kind() const
   {
@@ -49,7 +49,12 @@ public:
     return kinds[m_function.index()];
   }
 
-  const Field* field() const { return std::get_if<Field>(&m_function); }
+  // none unless it is one
+  std::shared_ptr<const Field> field() const
+  {
+    const auto* field = std::get_if<std::shared_ptr<const Field>>(&m_function);
+    return field != nullptr ? *field : nullptr;
+  }
 
   // requires that it is no field; throws if the point is not finite
   Value_and_gradient operator()(const Vector& point) const
@@ -74,8 +79,8 @@ public:
       ++diagnostics.number_of_closest_point_regions;
       diagnostics.memory_bytes += (*facets)->memory_bytes();
     }
-    if (field() != nullptr)
-      add(field()->diagnostics(), diagnostics);
+    if (const auto field_of_region = field())
+      add(field_of_region->diagnostics(), diagnostics);
   }
 
 private:
@@ -99,7 +104,7 @@ private:
     result.memory_bytes += field.memory_bytes;
   }
 
-  std::variant<Nothing, Region_plane, std::shared_ptr<const Region_facets>, Field> m_function;
+  std::variant<Nothing, Region_plane, std::shared_ptr<const Region_facets>, std::shared_ptr<const Field>> m_function;
 };
 
 } // namespace internal

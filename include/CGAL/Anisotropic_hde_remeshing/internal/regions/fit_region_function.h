@@ -13,17 +13,19 @@
 
 #include <CGAL/Anisotropic_hde_remeshing/internal/functions/evaluation.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Vector.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/implicit/Rbf_field.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/interpolation_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/sample_mesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Interruption.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/Named_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/Region_facets.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/Region_function.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/regions/Region_parameters.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/Region_plane.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/has_long_facets.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/split_regions.h>
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/Real_timer.h>
 
 #include <algorithm>
 #include <cmath>
@@ -61,58 +63,40 @@ double share_of_missed_facets(const Field& field, const Region_mesh& region)
   return area > 0 ? missed / area : 0;
 }
 
-// Marks named parameters: without smoothing, facets that are long and exact are the function of their region. The remeshing of a mesh
-// on its own surface asks for it, and tells whether the whole mesh has such facets: then those of each region are, even if they are
-// short. By itself, the function of a cylinder of two rows of vertices is that of the cylinder.
-enum Keeps_long_facets
-{
-};
-
-template <typename T, typename Tag, typename Base>
-auto keep_long_facets(const Named_function_parameters<T, Tag, Base>& np, const bool has_whole_mesh)
-{
-  return named_parameters(
-      Named_function_parameters<bool, Keeps_long_facets, Named_function_parameters<T, Tag, Base>>(has_whole_mesh, np));
-}
-
-template <typename NamedParameters>
-constexpr bool keeps_long_facets = !parameters::is_default_parameter<NamedParameters, Keeps_long_facets>::value;
-
 // Fits the function of a region: a plane if all points are in one within `tolerance`, else a field, and the distance to the
-// facets where these are kept as the long and exact ones of a CAD program, or a field is not to be had. `np` has the parameters of
-// the field.
-template <typename Field, typename NamedParameters>
-Region_function<Field> fit_region_function(const Region_mesh& region, const double tolerance, const NamedParameters& np,
-                                           Interruption& interruption)
+// facets where these are kept as the long and exact ones of a CAD program, or a field is not to be had. `interruption` is that of the
+// region.
+template <typename ConcurrencyTag, typename RadialFunction>
+Region_function<Rbf_field<RadialFunction, ConcurrencyTag>>
+fit_region_function(const Region_mesh& region, const double tolerance, const Region_parameters<RadialFunction>& parameters,
+                    Interruption& interruption)
 {
+  typedef Rbf_field<RadialFunction, ConcurrencyTag> Field;
   static constexpr std::size_t least_number_of_vertices = 10; // of a region with a field
   // the largest share of the area of a region that its field may miss
   static constexpr double largest_share_of_missed_facets = 0.02;
   if (const auto plane = plane_of(region, tolerance))
     return Region_function<Field>(*plane);
-  const Interpolation_parameters parameters = interpolation_parameters(np);
-  const bool is_smoothed = parameters.noise > 0 || parameters.estimates_noise;
-  bool has_exact_facets = false;
-  if constexpr (keeps_long_facets<NamedParameters>)
-    has_exact_facets = !is_smoothed && (parameters::get_parameter(np, Keeps_long_facets()) ||
-                                        has_long_facets(region.faces(), region, region.points()));
+  Real_timer timer;
+  timer.start();
+  const auto sample = [&]
+  { return sample_mesh(region, get(vertex_point, region), internal_np::Param_not_found(), interruption); };
+  const bool has_exact_facets = parameters.keeps_long_facets && !(parameters.interpolation.noise > 0) &&
+                                (parameters.has_mesh_long_facets || has_long_facets(region.faces(), region, region.points()));
   if (region.number_of_vertices() >= least_number_of_vertices && !has_exact_facets)
   {
     try
     {
-      // of the package's class: CGAL's has no close_holes()
-      const auto parameters_of_field =
-          named_parameters(np.vertex_point_map(get(vertex_point, region)).vertex_normal_map(internal_np::Param_not_found()));
-      const Field field(region, parameters_of_field.close_holes(false));
-      if (share_of_missed_facets(field, region) <= largest_share_of_missed_facets)
+      const auto field =
+          std::make_shared<const Field>(sample(), parameters.interpolation, parameters.function, timer, interruption);
+      if (share_of_missed_facets(*field, region) <= largest_share_of_missed_facets)
         return Region_function<Field>(field);
     }
     catch (const std::invalid_argument&) // parameters and points are checked already: no face has an area
     {
     }
   }
-  const auto facets = std::make_shared<const Region_facets>(
-      sample_mesh(region, get(vertex_point, region), internal_np::Param_not_found(), interruption));
+  const auto facets = std::make_shared<const Region_facets>(sample());
   return facets->empty() ? Region_function<Field>() : Region_function<Field>(facets);
 }
 

@@ -165,7 +165,10 @@ private:
     else
     {
       if (is_remeshed)
+      {
         flip(Flip_criterion::ANGLE);
+        m_projector.project_rest();
+      }
       if (m_parameters.fit_to_surface)
         m_projector.fit(m_interruption);
       if (m_error.is_active())

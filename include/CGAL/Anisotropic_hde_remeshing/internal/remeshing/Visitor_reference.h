@@ -13,46 +13,27 @@
 
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_visitor.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Interruption.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/Any_visitor.h>
 
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// The caller's visitor without its type. This class tells the visitor what happens. Its `Interruption` asks the visitor whether
-// to go on.
+// The caller's visitor, which is told what happens, and the interruption that asks it whether to go on.
 class Visitor_reference
 {
 public:
-  template <typename Visitor>
-  Visitor_reference(Visitor& visitor, Interruption& interruption)
-    : m_visitor(&visitor),
-      m_interruption(&interruption),
-      m_stage_started(&stage_started_of<Visitor>),
-      m_progress(&progress_of<Visitor>)
+  Visitor_reference(const Any_visitor visitor, Interruption& interruption) : m_visitor(visitor), m_interruption(&interruption)
   {
   }
 
-  void stage_started(const Stage stage) const { m_stage_started(m_visitor, stage); }
-  void progress(const double share) const { m_progress(m_visitor, share); }
+  void stage_started(const Stage stage) const { m_visitor.stage_started(stage); }
+  void progress(const double share) const { m_visitor.progress(share); }
   Interruption& interruption() const { return *m_interruption; }
 
 private:
-  template <typename Visitor>
-  static void stage_started_of(void* visitor, const Stage stage)
-  {
-    static_cast<Visitor*>(visitor)->stage_started(stage);
-  }
-
-  template <typename Visitor>
-  static void progress_of(void* visitor, const double share)
-  {
-    static_cast<Visitor*>(visitor)->progress(share);
-  }
-
-  void* m_visitor;
+  Any_visitor m_visitor;
   Interruption* m_interruption;
-  void (*m_stage_started)(void*, Stage);
-  void (*m_progress)(void*, double);
 };
 
 } // namespace internal

@@ -14,14 +14,13 @@
 #include <CGAL/Anisotropic_hde_remeshing/Input_location.h>
 #include <CGAL/Anisotropic_hde_remeshing/Normal_embedding.h>
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_result.h>
-#include <CGAL/Anisotropic_hde_remeshing/Remeshing_visitor.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/functions/pieces.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Space_triangle.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/geometry/aspect_ratio.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Interruption.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/parallel.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/Any_visitor.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/check_parameters.h>
-#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/visitor_parameter.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/regions/has_long_facets.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Visitor_reference.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/Mesh_intersections.h>
@@ -53,14 +52,14 @@ namespace Anisotropic_hde_remeshing {
 namespace internal {
 
 // The regions of the loaded faces. Throws std::invalid_argument if a region is not the number of a piece.
-template <typename TriangleMesh, typename FaceRegionMap>
-std::vector<Region> regions_of_faces(const Mesh_origin<TriangleMesh>& origin, const FaceRegionMap face_region,
+template <typename TriangleMesh>
+std::vector<Region> regions_of_faces(const Mesh_origin<TriangleMesh>& origin, const Creases<TriangleMesh>& creases,
                                      const std::size_t number_of_pieces)
 {
   std::vector<Region> result;
   for (std::size_t i = 0; i < origin.faces.size(); ++i)
   {
-    const std::size_t region = static_cast<std::size_t>(get(face_region, origin.faces[i]));
+    const std::size_t region = creases.region(origin.faces[i]);
     if (region >= number_of_pieces)
       throw_invalid_argument("face_patch_map", region,
                              "the number of a piece, below " + std::to_string(number_of_pieces) + ", at face " +
@@ -128,33 +127,44 @@ std::size_t number_of_lone_faces(const Mesh& mesh)
   return number;
 }
 
-// No function: the facets of the input are the surface. It has one region, or several with creases between them.
-struct No_function
+// The surface that the faces are remeshed on: the zero set of a function, or without one the facets of the input. It has one region, or
+// several with creases between them.
+template <typename TriangleMesh>
+struct Surface_of_faces
 {
-};
-struct No_function_of_regions
-{
-  std::size_t n;
-  std::size_t number_of_pieces() const { return n; }
-  No_function piece(std::size_t) const { return No_function(); }
+  Surface_of_faces() = default;
+  template <typename Function>
+  Surface_of_faces(const Function& f, Creases<TriangleMesh> c)
+    : function(f), number_of_regions(function.number_of_pieces()), is_piecewise(function.is_piecewise()), creases(std::move(c))
+  {
+  }
+  // the facets
+  Surface_of_faces(const std::size_t n, Creases<TriangleMesh> c)
+    : number_of_regions(n), is_piecewise(true), creases(std::move(c))
+  {
+  }
+
+  Surface_function function; // none of the facets
+  std::size_t number_of_regions = 1;
+  bool is_piecewise = false;
+  Creases<TriangleMesh> creases;
 };
 
-// Marks named parameters: a result that misses the number of faces asked for is not stored, and tells of no faces.
-enum Must_meet_number
+// what is to be done, beyond what the caller asks for
+struct Faces_request
 {
+  bool is_whole_mesh = true;
+  bool is_by_error = false;      // whatever scheme and embedding the caller asks for
+  bool must_meet_number = false; // a result that misses the number of faces asked for is not stored, and tells of no faces
 };
 
-template <typename Function>
-constexpr bool has_values =
-    !std::is_same<Function, No_function>::value && !std::is_same<Function, No_function_of_regions>::value;
-
-// Loads the faces, remeshes the copy and stores it.
-template <typename ConcurrencyTag, typename FaceRange, typename TriangleMesh, typename Function, typename NamedParameters,
-          typename CreaseMaps>
+// Loads the faces, remeshes the copy and stores it. `may_be_by_error`: whether the measured error may lead.
+template <typename ConcurrencyTag, bool may_be_by_error, typename Embedding, typename FaceRange, typename TriangleMesh,
+          typename NamedParameters>
 class Faces_remesher
 {
-  typedef typename Embedding_with_sizes<NamedParameters>::type Embedding;
-  typedef Embedding_parameter<NamedParameters> Embedding_without_sizes;
+  static_assert(has_remesh<Embedding>, "with shared instantiations, embeddings and metrics other than Normal_embedding and "
+                                       "Curvature_metric need CGAL_AHR_WITH_OTHER_TYPES");
   typedef Working_mesh<typename Embedding::Vertex_data> Mesh;
 
   static auto vertex_point_map(const NamedParameters& np, TriangleMesh& tmesh)
@@ -164,22 +174,21 @@ class Faces_remesher
     return choose_parameter(get_parameter(np, internal_np::vertex_point), get_property_map(vertex_point, tmesh));
   }
   typedef decltype(vertex_point_map(std::declval<const NamedParameters&>(), std::declval<TriangleMesh&>())) Vertex_point_map;
-  typedef decltype(mesh_constraints<TriangleMesh>(std::declval<const NamedParameters&>(),
-                                                  std::declval<const CreaseMaps&>())) Constraints;
+  typedef decltype(mesh_constraints(std::declval<const NamedParameters&>(),
+                                    std::declval<const Creases<TriangleMesh>&>())) Constraints;
 
 public:
-  Faces_remesher(const FaceRange& faces, TriangleMesh& tmesh, const Function& function, const bool is_whole_mesh,
-                 const NamedParameters& np, const CreaseMaps& creases)
+  Faces_remesher(const FaceRange& faces, TriangleMesh& tmesh, const Surface_of_faces<TriangleMesh>& surface,
+                 const Faces_request& request, const NamedParameters& np, const Any_visitor visitor)
     : m_faces(faces),
       m_tmesh(tmesh),
-      m_function(function),
-      m_is_whole_mesh(is_whole_mesh),
+      m_surface(surface),
+      m_request(request),
       m_np(np),
-      m_creases(creases),
       m_vpm(vertex_point_map(np, tmesh)),
-      m_visitor(visitor_parameter(np, m_nobody)),
-      m_interruption([this] { return m_visitor.go_further(); }),
-      m_constraints(mesh_constraints<TriangleMesh>(np, creases))
+      m_visitor(visitor),
+      m_interruption([visitor] { return visitor.go_further(); }),
+      m_constraints(mesh_constraints(np, surface.creases))
   {
   }
 
@@ -196,7 +205,7 @@ public:
       return m_result;
     }
     m_result.was_stopped = m_interruption.is_requested();
-    if constexpr (is_given<NamedParameters, Must_meet_number>)
+    if (m_request.must_meet_number)
     {
       write_counts();
       if (m_result.misses_number_of_faces())
@@ -215,20 +224,19 @@ private:
   {
     m_mesh = Mesh();
     m_origin = load_mesh(m_tmesh, m_faces, m_vpm, m_constraints, m_interruption, m_mesh);
-    if constexpr (is_piecewise<Function>)
-      m_mesh.set_input_regions(regions_of_faces(m_origin, m_creases.face_region, number_of_pieces(m_function)));
+    if (m_surface.is_piecewise)
+      m_mesh.set_input_regions(regions_of_faces(m_origin, m_surface.creases, m_surface.number_of_regions));
   }
 
   // Remeshes the copy, and begins anew where its faces intersect afterwards.
   void remesh_copy()
   {
-    const Embedding_without_sizes embedding_without_sizes = embedding_parameter(m_np, m_origin.diagonal);
     std::optional<Input_surface> input_with_sizes; // none if no sizes are asked for
-    const Embedding embedding = with_sizes(embedding_without_sizes, input_with_sizes).in_unit(m_origin.unit);
+    const Embedding embedding = embedding_of_caller(input_with_sizes).in_unit(m_origin.unit);
     const double unit_of_lengths = embedding.unit_of_lengths(m_origin.unit);
     read_parameters(embedding);
     m_input.emplace(points_of(m_mesh), facets_of(m_mesh), m_origin.diagonal / m_origin.unit);
-    auto intersections = intersections_parameter(m_np, m_mesh, m_tmesh, m_vpm, m_origin, m_is_whole_mesh);
+    auto intersections = intersections_parameter(m_np, m_mesh, m_tmesh, m_vpm, m_origin, m_request.is_whole_mesh);
     try
     {
       Remeshing_report report = remesh_once(embedding, intersections);
@@ -244,30 +252,38 @@ private:
     {
       throw_too_many_faces<NamedParameters>(too_many, unit_of_lengths);
     }
-    if constexpr (std::is_same<Embedding_without_sizes, Normal_embedding>::value)
+    if constexpr (std::is_same<Embedding_parameter<NamedParameters>, Normal_embedding>::value)
       if (!is_by_error())
-        m_result.sigma = embedding_without_sizes.sigma();
+        m_result.sigma = embedding_parameter(m_np, m_origin.diagonal).sigma();
     m_result.number_of_self_intersections_before = intersections.number_of_pairs_before();
     m_result.number_of_self_intersections = intersections.number_of_pairs();
   }
 
-  Embedding with_sizes(const Embedding_without_sizes& embedding, std::optional<Input_surface>& input) const
+  // in the caller's unit; the measured error has none
+  Embedding embedding_of_caller(std::optional<Input_surface>& input) const
   {
-    if constexpr (is_given<NamedParameters, internal_np::sizing_field_t>)
+    if constexpr (std::is_same<Embedding, Normal_embedding>::value)
+      if (m_request.is_by_error)
+        return Normal_embedding(0);
+    if constexpr (!std::is_same<Embedding, typename Embedding_with_sizes<NamedParameters>::type>::value)
+      return Embedding(0);
+    else if constexpr (is_given<NamedParameters, internal_np::sizing_field_t>)
     {
       input.emplace(points_of(m_mesh), m_origin.facets, m_origin.diagonal / m_origin.unit);
-      return embedding_with_sizes(embedding, sizing_field_parameter<Value_of_map<Vertex_point_map, Vertex_of<TriangleMesh>>>(
-                                                 m_np, m_tmesh, m_origin.vertices, *input, m_origin.unit));
+      return embedding_with_sizes(embedding_parameter(m_np, m_origin.diagonal),
+                                  sizing_field_parameter<Value_of_map<Vertex_point_map, Vertex_of<TriangleMesh>>>(
+                                      m_np, m_tmesh, m_origin.vertices, *input, m_origin.unit));
     }
     else
-      return embedding;
+      return embedding_parameter(m_np, m_origin.diagonal);
   }
 
   bool is_by_error() const { return m_parameters.scheme == Remeshing_scheme::MEASURED_ERROR; }
 
   void read_parameters(const Embedding& embedding)
   {
-    m_parameters = remeshing_parameters(m_np, embedding, m_origin.diagonal, m_origin.unit, m_mesh.number_of_faces());
+    m_parameters = remeshing_parameters(m_np, embedding, m_request.is_by_error, m_origin.diagonal, m_origin.unit,
+                                        m_mesh.number_of_faces());
     if (is_by_error())
       m_parameters.has_long_facets = has_long_facets(m_faces, m_tmesh, m_vpm);
     m_is_split =
@@ -289,16 +305,16 @@ private:
   {
     const Visitor_reference listener(m_visitor, m_interruption);
     Remeshing_report report;
-    if (is_by_error())
-    {
-      if constexpr (std::is_same<Embedding, Normal_embedding>::value &&
-                    is_given<NamedParameters, internal_np::remeshing_scheme_t>)
+    if constexpr (may_be_by_error && std::is_same<Embedding, Normal_embedding>::value)
+      if (is_by_error())
+      {
         report =
-            remesh_by_error<ConcurrencyTag>(m_mesh, is_piecewise<Function>, *m_input, intersections, m_parameters, listener);
-      report.number_of_regions = number_of_pieces(m_function);
-    }
-    else if constexpr (has_values<Function>)
-      report = remesh<ConcurrencyTag>(m_mesh, embedding, Surface_function(m_function, m_origin.unit), *m_input, intersections,
+            remesh_by_error<ConcurrencyTag>(m_mesh, m_surface.is_piecewise, *m_input, intersections, m_parameters, listener);
+        report.number_of_regions = m_surface.number_of_regions;
+        return report;
+      }
+    if constexpr (std::is_same<Embedding, typename Embedding_with_sizes<NamedParameters>::type>::value)
+      report = remesh<ConcurrencyTag>(m_mesh, embedding, m_surface.function.in_unit(m_origin.unit), *m_input, intersections,
                                       m_parameters, listener);
     return report;
   }
@@ -309,7 +325,7 @@ private:
     timer.start();
     m_visitor.stage_started(Stage::OUTPUT);
     write_counts();
-    const bool is_all_replaced = m_is_whole_mesh && !is_constrained<NamedParameters>;
+    const bool is_all_replaced = m_request.is_whole_mesh && !is_constrained<NamedParameters>;
     std::vector<Input_location> locations;
     Located_vertices<TriangleMesh> rest;
     if constexpr (is_given<NamedParameters, internal_np::vertex_location_map_t>)
@@ -350,13 +366,11 @@ private:
 
   const FaceRange& m_faces;
   TriangleMesh& m_tmesh;
-  const Function& m_function;
-  const bool m_is_whole_mesh;
+  const Surface_of_faces<TriangleMesh>& m_surface;
+  const Faces_request m_request;
   const NamedParameters& m_np;
-  const CreaseMaps& m_creases;
   const Vertex_point_map m_vpm;
-  Remeshing_visitor m_nobody;
-  Visitor_parameter<NamedParameters> m_visitor;
+  const Any_visitor m_visitor;
   Interruption m_interruption;
   const Constraints m_constraints;
   Mesh m_mesh;
@@ -367,13 +381,27 @@ private:
   Remeshing_result m_result;
 };
 
-template <typename ConcurrencyTag, typename FaceRange, typename TriangleMesh, typename Function, typename NamedParameters,
-          typename CreaseMaps>
-Remeshing_result remesh_faces(const FaceRange& faces, TriangleMesh& tmesh, const Function& function, const bool is_whole_mesh,
-                              const NamedParameters& np, const CreaseMaps& creases)
+// remeshes in the embedding that the caller asks for
+template <typename ConcurrencyTag, bool may_be_by_error, typename FaceRange, typename TriangleMesh, typename NamedParameters>
+Remeshing_result remesh_faces(const FaceRange& faces, TriangleMesh& tmesh, const Surface_of_faces<TriangleMesh>& surface,
+                              const Faces_request& request, const NamedParameters& np, const Any_visitor visitor)
 {
-  return Faces_remesher<ConcurrencyTag, FaceRange, TriangleMesh, Function, NamedParameters, CreaseMaps>(
-      faces, tmesh, function, is_whole_mesh, np, creases)();
+  typedef typename Embedding_with_sizes<NamedParameters>::type Embedding;
+  return Faces_remesher<ConcurrencyTag, may_be_by_error, Embedding, FaceRange, TriangleMesh, NamedParameters>(
+      faces, tmesh, surface, request, np, visitor)();
+}
+
+// remeshes by measured error, whichever scheme and embedding the caller asks for
+template <typename ConcurrencyTag, typename FaceRange, typename TriangleMesh, typename NamedParameters>
+Remeshing_result remesh_faces_without_embedding(const FaceRange& faces, TriangleMesh& tmesh,
+                                                const Surface_of_faces<TriangleMesh>& surface, const bool is_whole_mesh,
+                                                const NamedParameters& np, const Any_visitor visitor)
+{
+  Faces_request request;
+  request.is_whole_mesh = is_whole_mesh;
+  request.is_by_error = true;
+  return Faces_remesher<ConcurrencyTag, true, Normal_embedding, FaceRange, TriangleMesh, NamedParameters>(
+      faces, tmesh, surface, request, np, visitor)();
 }
 
 } // namespace internal

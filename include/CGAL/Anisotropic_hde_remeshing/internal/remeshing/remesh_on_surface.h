@@ -14,6 +14,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_result.h>
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_visitor.h>
 #include <CGAL/Anisotropic_hde_remeshing/Surface_regions.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/Any_visitor.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/parameter_types.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/type_traits.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/visitor_parameter.h>
@@ -123,24 +124,6 @@ Remeshing_result remesh_any_faces(const Faces& faces, TriangleMesh& tmesh, const
   return result;
 }
 
-// The caller's visitor in a part of the work: the shares of the part become shares of the whole.
-template <typename Visitor>
-class Visitor_of_part : public Remeshing_visitor
-{
-public:
-  Visitor_of_part(Visitor& visitor, const double begin, const double end) : m_visitor(visitor), m_begin(begin), m_end(end) {}
-  Visitor_of_part(const Visitor_of_part&) = delete;
-  Visitor_of_part& operator=(const Visitor_of_part&) = delete;
-
-  void stage_started(const Stage stage) { m_visitor.stage_started(stage); }
-  void progress(const double share) { m_visitor.progress(m_begin + (m_end - m_begin) * share); }
-  bool go_further() { return m_visitor.go_further(); }
-
-private:
-  Visitor& m_visitor;
-  double m_begin, m_end;
-};
-
 // remeshes on the zero set of the caller's function
 template <typename ConcurrencyTag, typename Faces, typename TriangleMesh, typename Function, typename NamedParameters>
 Remeshing_result remesh_on_surface(const Faces& faces, TriangleMesh& tmesh, const Function& function, const NamedParameters& np)
@@ -153,39 +136,35 @@ Remeshing_result remesh_on_surface(const Faces& faces, TriangleMesh& tmesh, cons
           static_assert(
               !is_given<NamedParameters, internal_np::sharp_angle_t>,
               "sharp_angle is for the function that is built here; a piecewise function comes with its face_patch_map");
+          Remeshing_visitor nobody;
+          Visitor_parameter<NamedParameters> visitor = visitor_parameter(np, nobody);
+          const Surface_of_faces<TriangleMesh> surface(function, creases_of_caller<Function, TriangleMesh>(np));
+          Faces_request request;
+          request.is_whole_mesh = Faces::is_whole;
+          constexpr bool may_be_by_error = is_given<NamedParameters, internal_np::remeshing_scheme_t>;
           return remesh_any_faces(faces, tmesh, np,
                                   [&](const auto& range) {
-                                    return remesh_faces<ConcurrencyTag>(range, tmesh, function, Faces::is_whole, np,
-                                                                        crease_maps<Function, TriangleMesh>(np));
+                                    return remesh_faces<ConcurrencyTag, may_be_by_error>(range, tmesh, surface, request, np,
+                                                                                         Any_visitor(visitor));
                                   });
         }
   return Remeshing_result();
 }
 
-// the parameters of a remeshing by measured error, whichever embedding they have
-template <typename NamedParameters>
-auto by_measured_error(const NamedParameters& np)
-{
-  return with_mark<Is_by_error>(np).remeshing_scheme(Remeshing_scheme::MEASURED_ERROR);
-}
-
 // Remeshes by measured error. No function is needed. With a sharp angle there are regions and creases.
 template <typename ConcurrencyTag, typename FaceRange, typename TriangleMesh, typename NamedParameters>
 Remeshing_result remesh_faces_by_error(const FaceRange& faces, TriangleMesh& tmesh, const bool is_whole_mesh,
-                                       const NamedParameters& np)
+                                       const NamedParameters& np, const Any_visitor visitor)
 {
+  Surface_of_faces<TriangleMesh> surface;
   if constexpr (is_given<NamedParameters, internal_np::sharp_angle_t>)
   {
     const auto edge_is_crease = get(dynamic_edge_property_t<bool>(), tmesh);
     const auto face_region = get(dynamic_face_property_t<std::size_t>(), tmesh);
     const Surface_regions regions = detect_surface_regions(tmesh, edge_is_crease, face_region, np);
-    typedef Crease_maps<std::decay_t<decltype(edge_is_crease)>, std::decay_t<decltype(face_region)>> Creases;
-    return remesh_faces<ConcurrencyTag>(faces, tmesh, No_function_of_regions{regions.number_of_regions}, is_whole_mesh,
-                                        by_measured_error(np), Creases{edge_is_crease, face_region});
+    surface = Surface_of_faces<TriangleMesh>(regions.number_of_regions, Creases<TriangleMesh>(edge_is_crease, face_region));
   }
-  else
-    return remesh_faces<ConcurrencyTag>(faces, tmesh, No_function(), is_whole_mesh, by_measured_error(np),
-                                        crease_maps<No_function, TriangleMesh>(np));
+  return remesh_faces_without_embedding<ConcurrencyTag>(faces, tmesh, surface, is_whole_mesh, np, visitor);
 }
 
 // Whether the caller may ask for creases: by an angle, or by constrained edges or patches. Normals of the caller's are one for each
@@ -246,11 +225,10 @@ void build_function_of(const TriangleMesh& tmesh, const NamedParameters& np, con
   {
     const auto edge_is_crease = get(dynamic_edge_property_t<bool>(), tmesh);
     const auto face_region = get(dynamic_face_property_t<std::size_t>(), tmesh);
-    typedef Crease_maps<std::decay_t<decltype(edge_is_crease)>, std::decay_t<decltype(face_region)>> Creases;
     if (find_creases(tmesh, np, edge_is_crease, face_region))
     {
       remesh_on(Function_of_regions(tmesh, face_region, keep_long_facets(np_of_function, has_exact_facets(tmesh, np))),
-                Creases{edge_is_crease, face_region});
+                Creases<TriangleMesh>(edge_is_crease, face_region));
       return;
     }
   }
@@ -260,13 +238,11 @@ void build_function_of(const TriangleMesh& tmesh, const NamedParameters& np, con
       if (iteration_parameters(np).scheme != Remeshing_scheme::PAPER && has_exact_facets(tmesh, np))
       {
         typedef Static_boolean_property_map<Face_of<TriangleMesh>, false> One_region;
-        typedef Static_boolean_property_map<typename boost::graph_traits<TriangleMesh>::edge_descriptor, false> No_creases;
-        remesh_on(Function_of_regions(tmesh, One_region(), keep_long_facets(np_of_function, true)),
-                  Crease_maps<No_creases, One_region>{No_creases(), One_region()});
+        remesh_on(Function_of_regions(tmesh, One_region(), keep_long_facets(np_of_function, true)), Creases<TriangleMesh>());
         return;
       }
     typedef Rbf_implicit_function<Kernel, Radial_function, ConcurrencyTag> Function;
-    remesh_on(Function(tmesh, np_of_function), crease_maps<Function, TriangleMesh>(np));
+    remesh_on(Function(tmesh, np_of_function), Creases<TriangleMesh>());
   }
 }
 
@@ -300,15 +276,18 @@ bool keeps_facets(const TriangleMesh& tmesh, const NamedParameters& np)
 // Remeshes with each facet as a region, if the number of faces allows it.
 template <typename ConcurrencyTag, typename FaceRange, typename TriangleMesh, typename NamedParameters, typename Facets>
 Remeshing_result remesh_between_facets(const FaceRange& faces, TriangleMesh& tmesh, const bool is_whole_mesh,
-                                       const NamedParameters& np, const Facets& facets)
+                                       const NamedParameters& np, const Facets& facets, const Any_visitor visitor)
 {
   const auto edge_is_crease = get(dynamic_edge_property_t<bool>(), tmesh);
   const auto face_region = get(dynamic_face_property_t<std::size_t>(), tmesh);
-  typedef Crease_maps<std::decay_t<decltype(edge_is_crease)>, std::decay_t<decltype(face_region)>> Creases;
   facets.mark(edge_is_crease, face_region);
   const Facet_planes<Simple_cartesian<double>> function(facets.planes());
-  return remesh_faces<ConcurrencyTag>(faces, tmesh, function, is_whole_mesh, with_mark<Must_meet_number>(np),
-                                      Creases{edge_is_crease, face_region});
+  Faces_request request;
+  request.is_whole_mesh = is_whole_mesh;
+  request.must_meet_number = true;
+  return remesh_faces<ConcurrencyTag, true>(
+      faces, tmesh, Surface_of_faces<TriangleMesh>(function, Creases<TriangleMesh>(edge_is_crease, face_region)), request, np,
+      visitor);
 }
 
 // Remeshes a mesh of exact facets by an embedding that keeps to them: each is a region, its edges are creases, and nothing is lost.
@@ -316,13 +295,10 @@ Remeshing_result remesh_between_facets(const FaceRange& faces, TriangleMesh& tme
 // facets would cut across their edges. Returns none if the caller wants the embedding in any case.
 template <typename ConcurrencyTag, typename FaceRange, typename TriangleMesh, typename NamedParameters>
 std::optional<Remeshing_result> remesh_exact_facets(const FaceRange& faces, TriangleMesh& tmesh, const bool is_whole_mesh,
-                                                    const NamedParameters& np)
+                                                    const NamedParameters& np, const Any_visitor visitor)
 {
   static constexpr double share_of_embedding = 0.7; // of the progress
-  Remeshing_visitor nobody;
-  Visitor_parameter<NamedParameters> visitor = visitor_parameter(np, nobody);
-  typedef Visitor_of_part<std::remove_reference_t<decltype(visitor)>> Visitor;
-  Visitor of_embedding(visitor, 0, share_of_embedding), of_error(visitor, share_of_embedding, 1);
+  Visitor_of_part of_embedding(visitor, 0, share_of_embedding), of_error(visitor, share_of_embedding, 1);
   visitor.stage_started(Stage::IMPLICIT_FUNCTION);
   Real_timer timer;
   timer.start();
@@ -334,8 +310,8 @@ std::optional<Remeshing_result> remesh_exact_facets(const FaceRange& faces, Tria
   if (facets.are_planar() && (!is_whole_mesh || facets.least_number_of_faces() <= target.number_of_faces_over(facets.area())))
   {
     const double seconds = timer.time();
-    Remeshing_result result = remesh_between_facets<ConcurrencyTag>(
-        faces, tmesh, is_whole_mesh, parameters::begin_with(np).visitor(std::ref(of_embedding)), facets);
+    Remeshing_result result =
+        remesh_between_facets<ConcurrencyTag>(faces, tmesh, is_whole_mesh, np, facets, Any_visitor(of_embedding));
     result.implicit_function_seconds = seconds;
     if (result.was_stopped)
       return result;
@@ -347,8 +323,7 @@ std::optional<Remeshing_result> remesh_exact_facets(const FaceRange& faces, Tria
   }
   if constexpr (may_give_way_to_error<NamedParameters>)
     if (iteration_parameters(np).scheme == Remeshing_scheme::DEFAULT && allowed_operations(np).has_all_of_mesh())
-      return remesh_faces_by_error<ConcurrencyTag>(faces, tmesh, is_whole_mesh,
-                                                   parameters::begin_with(np).visitor(std::ref(of_error)));
+      return remesh_faces_by_error<ConcurrencyTag>(faces, tmesh, is_whole_mesh, np, Any_visitor(of_error));
   return std::nullopt;
 }
 
@@ -359,31 +334,33 @@ Remeshing_result remesh_faces_on_built_surface(const FaceRange& faces, TriangleM
 {
   static constexpr double share_of_function = 0.3; // of the time, where the mesh gets as many faces as it has
 
+  Remeshing_visitor nobody;
+  Visitor_parameter<NamedParameters> visitor_of_caller = visitor_parameter(np, nobody);
+  const Any_visitor visitor(visitor_of_caller);
   if constexpr (leaves_embedding_and_function_open<NamedParameters>)
   {
     const auto vpm = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
                                                   get_const_property_map(vertex_point, tmesh));
     if (is_by_measured_error(np, number_of_faces_in(faces), [&] { return has_long_facets(faces, tmesh, vpm); }))
-      return remesh_faces_by_error<ConcurrencyTag>(faces, tmesh, is_whole_mesh, np);
+      return remesh_faces_by_error<ConcurrencyTag>(faces, tmesh, is_whole_mesh, np, visitor);
   }
   if constexpr (may_keep_facets<NamedParameters>)
     if (keeps_facets(tmesh, np))
-      if (const auto result = remesh_exact_facets<ConcurrencyTag>(faces, tmesh, is_whole_mesh, np))
+      if (const auto result = remesh_exact_facets<ConcurrencyTag>(faces, tmesh, is_whole_mesh, np, visitor))
         return *result;
-  Remeshing_visitor nobody;
-  Visitor_parameter<NamedParameters> visitor = visitor_parameter(np, nobody);
-  typedef Visitor_of_part<std::remove_reference_t<decltype(visitor)>> Visitor;
-  Visitor of_function(visitor, 0, share_of_function), of_rest(visitor, share_of_function, 1);
+  Visitor_of_part of_function(visitor, 0, share_of_function), of_rest(visitor, share_of_function, 1);
   const auto np_of_function = parameters::begin_with(np).visitor(std::ref(of_function)).close_holes(false);
-  const auto np_of_rest = parameters::begin_with(np).visitor(std::ref(of_rest));
   visitor.stage_started(Stage::IMPLICIT_FUNCTION);
   Real_timer timer;
   timer.start();
   Remeshing_result result;
-  const auto remesh_on = [&](const auto& function, const auto& creases)
+  Faces_request request;
+  request.is_whole_mesh = is_whole_mesh;
+  const auto remesh_on = [&](const auto& function, const Creases<TriangleMesh>& creases)
   {
     const double seconds = timer.time();
-    result = remesh_faces<ConcurrencyTag>(faces, tmesh, function, is_whole_mesh, np_of_rest, creases);
+    result = remesh_faces<ConcurrencyTag, true>(faces, tmesh, Surface_of_faces<TriangleMesh>(function, creases), request, np,
+                                                Any_visitor(of_rest));
     result.implicit_function_seconds = seconds;
     result.number_of_patches = function.diagnostics().number_of_patches;
     result.number_of_patches_on_fallback = function.diagnostics().patches_on_fallback;

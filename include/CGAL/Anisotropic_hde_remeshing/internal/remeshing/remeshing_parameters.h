@@ -30,6 +30,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <string>
 #include <type_traits>
@@ -139,18 +140,6 @@ template <typename NamedParameters>
 constexpr bool is_error_given = is_given<NamedParameters, internal_np::approximation_error_t> ||
                                 is_given<NamedParameters, internal_np::relative_approximation_error_t>;
 
-// the same named parameters with a mark, a tag of the package's own
-template <typename Mark, typename T, typename Tag, typename Base>
-auto with_mark(const Named_function_parameters<T, Tag, Base>& np)
-{
-  return named_parameters(Named_function_parameters<bool, Mark, Named_function_parameters<T, Tag, Base>>(true, np));
-}
-
-// Marks named parameters: the measured error leads, whichever embedding the caller asks for.
-enum Is_by_error
-{
-};
-
 // The embedding that is given, or that of the metric that is given. Without one it is the paper's, with sigma in the unit of the mesh or
 // as a share of the diagonal of its bounding box. If only sizes are given, they are lengths in space, as in PMP's isotropic_remeshing. If
 // only an error is given, it is the metric of the largest distance.
@@ -163,9 +152,7 @@ auto embedding_parameter(const NamedParameters& np, const double diagonal)
   static_assert(int(has_embedding) + int(has_sigma) + int(has_relative_sigma) <= 1,
                 "embedding, sigma and relative_sigma exclude each other");
   using parameters::get_parameter;
-  if constexpr (is_given<NamedParameters, Is_by_error>)
-    return Normal_embedding(0);
-  else if constexpr (has_embedding)
+  if constexpr (has_embedding)
   {
     typedef Given_type<NamedParameters, internal_np::embedding_t> Given;
     if constexpr (is_metric_given<Given>)
@@ -273,12 +260,15 @@ template <typename NamedParameters>
                              " faces, not about " + text_of_estimate(too_many.number_of_faces));
 }
 
-// All parameters for a mesh in `unit`. `embedding` is in this unit, the diagonal in the caller's.
+// All parameters for a mesh in `unit`. `embedding` is in this unit, the diagonal in the caller's. `is_by_error`: the measured error leads,
+// whatever scheme the caller asks for.
 template <typename NamedParameters, typename Embedding>
-Remeshing_parameters remeshing_parameters(const NamedParameters& np, const Embedding& embedding, const double diagonal,
-                                          const double unit, const std::size_t number_of_faces)
+Remeshing_parameters remeshing_parameters(const NamedParameters& np, const Embedding& embedding, const bool is_by_error,
+                                          const double diagonal, const double unit, const std::size_t number_of_faces)
 {
   Remeshing_parameters result = iteration_parameters(np);
+  if (is_by_error)
+    result.scheme = Remeshing_scheme::MEASURED_ERROR;
   result.error = error_parameter(np, diagonal) / unit;
   result.target = target_length(np, embedding.unit_of_lengths(diagonal), embedding.unit_of_lengths(unit), number_of_faces);
   const bool has_measured_error = std::is_same<Embedding, Normal_embedding>::value &&
@@ -357,48 +347,69 @@ void check_parameters(const NamedParameters& np)
     check_number_of_fitted_faces(target.number_of_faces());
 }
 
-// The creases and the regions of the faces. At a crease two regions of the surface meet, or one region has an edge inside.
-template <typename EdgeIsCreaseMap, typename FaceRegionMap>
-struct Crease_maps
+// The creases and the regions of the faces. At a crease two regions of the surface meet, or one region has an edge inside. It has the
+// same type whichever maps they are in.
+template <typename TriangleMesh>
+class Creases
 {
-  EdgeIsCreaseMap edge_is_crease;
-  FaceRegionMap face_region;
+  typedef boost::graph_traits<TriangleMesh> Graph_traits;
+
+public:
+  // none, in one region
+  Creases() = default;
+
+  template <typename FaceRegionMap>
+  explicit Creases(const FaceRegionMap face_region)
+    : m_region([face_region](const Face f) { return static_cast<std::size_t>(get(face_region, f)); })
+  {
+  }
+
+  template <typename EdgeIsCreaseMap, typename FaceRegionMap>
+  Creases(const EdgeIsCreaseMap edge_is_crease, const FaceRegionMap face_region) : Creases(face_region)
+  {
+    m_is_crease = [edge_is_crease](const Edge e) { return bool(get(edge_is_crease, e)); };
+  }
+
+  typedef typename Graph_traits::edge_descriptor Edge;
+  typedef typename Graph_traits::face_descriptor Face;
+  bool is_crease(const Edge e) const { return m_is_crease && m_is_crease(e); }
+  std::size_t region(const Face f) const { return m_region ? m_region(f) : 0; }
+
+private:
+  std::function<bool(Edge)> m_is_crease;
+  std::function<std::size_t(Face)> m_region;
 };
 
 // If the caller gives a piecewise function, the patches are the regions. Otherwise there is one region.
 template <typename Function, typename TriangleMesh, typename NamedParameters>
-auto crease_maps(const NamedParameters& np)
+Creases<TriangleMesh> creases_of_caller(const NamedParameters& np)
 {
-  typedef boost::graph_traits<TriangleMesh> Graph_traits;
-  typedef Static_boolean_property_map<typename Graph_traits::edge_descriptor, false> No_creases;
   if constexpr (is_piecewise<Function>)
   {
     static_assert(is_given<NamedParameters, internal_np::face_patch_t>,
                   "a piecewise function needs face_patch_map, which tells the piece of each face");
-    const auto regions = parameters::get_parameter(np, internal_np::face_patch);
-    return Crease_maps<No_creases, std::decay_t<decltype(regions)>>{No_creases(), regions};
+    return Creases<TriangleMesh>(parameters::get_parameter(np, internal_np::face_patch));
   }
   else
   {
-    typedef Static_boolean_property_map<typename Graph_traits::face_descriptor, false> One_region;
     (void)np;
-    return Crease_maps<No_creases, One_region>{No_creases(), One_region()};
+    return Creases<TriangleMesh>();
   }
 }
 
 // The maps of constraints; without them nothing is constrained, and all faces are in one patch.
-template <typename EdgeIsConstrainedMap, typename VertexIsConstrainedMap, typename FacePatchMap, typename CreaseMaps>
+template <typename TriangleMesh, typename EdgeIsConstrainedMap, typename VertexIsConstrainedMap, typename FacePatchMap>
 struct Mesh_constraints
 {
   EdgeIsConstrainedMap edge_is_constrained;
   VertexIsConstrainedMap vertex_is_constrained;
   FacePatchMap face_patch;
-  CreaseMaps creases;
+  Creases<TriangleMesh> creases;
   bool protect_constraints;
 };
 
-template <typename TriangleMesh, typename NamedParameters, typename CreaseMaps>
-auto mesh_constraints(const NamedParameters& np, const CreaseMaps& creases)
+template <typename TriangleMesh, typename NamedParameters>
+auto mesh_constraints(const NamedParameters& np, const Creases<TriangleMesh>& creases)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -409,9 +420,9 @@ auto mesh_constraints(const NamedParameters& np, const CreaseMaps& creases)
                                          Static_boolean_property_map<typename Graph_traits::vertex_descriptor, false>());
   const auto patches = choose_parameter(get_parameter(np, internal_np::face_patch),
                                         Static_boolean_property_map<typename Graph_traits::face_descriptor, false>());
-  return Mesh_constraints<std::decay_t<decltype(edges)>, std::decay_t<decltype(vertices)>, std::decay_t<decltype(patches)>,
-                          CreaseMaps>{edges, vertices, patches, creases,
-                                      choose_parameter(get_parameter(np, internal_np::protect_constraints), false)};
+  return Mesh_constraints<TriangleMesh, std::decay_t<decltype(edges)>, std::decay_t<decltype(vertices)>,
+                          std::decay_t<decltype(patches)>>{
+      edges, vertices, patches, creases, choose_parameter(get_parameter(np, internal_np::protect_constraints), false)};
 }
 
 // whether elements of the caller's mesh keep their descriptors

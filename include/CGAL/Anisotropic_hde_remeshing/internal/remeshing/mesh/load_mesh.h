@@ -240,9 +240,9 @@ private:
   {
     const auto e = edge(h, m_tmesh);
     const Face f = face(h, m_tmesh), g = face(opposite(h, m_tmesh), m_tmesh);
-    return get(m_constraints.edge_is_constrained, e) || get(m_constraints.creases.edge_is_crease, e) ||
+    return get(m_constraints.edge_is_constrained, e) || m_constraints.creases.is_crease(e) ||
            !(get(m_constraints.face_patch, f) == get(m_constraints.face_patch, g)) ||
-           !(get(m_constraints.creases.face_region, f) == get(m_constraints.creases.face_region, g));
+           m_constraints.creases.region(f) != m_constraints.creases.region(g);
   }
 
   const TriangleMesh& m_tmesh;

@@ -17,6 +17,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/Working_mesh.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/operations/Vertex_fitter.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -58,28 +59,28 @@ public:
   }
 
   // Projects all chosen vertices in the end. The last way of a vertex goes from a rough projection to the exact one. A vertex
-  // stays if this way would fold a face or, where that counts, make a face intersect another one. Returns false if it was
-  // interrupted and did nothing.
+  // stays if this way would fold a face or, where that counts, make a face intersect another one. Moves are taken back together with
+  // those of neighbours, so who had to stay tries again from where the others are now. Returns false if it was interrupted and did
+  // nothing.
   template <typename IsChosen>
   bool project_exactly(const IsChosen& is_chosen, Interruption& interruption)
   {
-    Moves moves = exact_projections(is_chosen, interruption);
-    m_guard.template revert<ConcurrencyTag>(moves, interruption);
-    if (interruption.is_requested())
+    std::vector<Vertex_index> left;
+    if (!project_exactly_once(is_chosen, interruption, left))
       return false; // not all vertices have been projected, or checked
-    moves.template accept<ConcurrencyTag>(m_mesh);
-    m_guard.template update_landmarks<ConcurrencyTag>();
-    for (const Vertex_index v : m_mesh.vertices())
-      if (is_chosen(v) && belongs_on_surface(v) && may_be_off_surface(v, moves) &&
-          !m_projection.is_on_surface(m_mesh.point(v), region(v)))
-        ++m_number_of_unprojected_vertices;
+    try_again(left);
+    m_unprojected.insert(m_unprojected.end(), left.begin(), left.end());
+    std::sort(m_unprojected.begin(), m_unprojected.end());
     return true;
   }
+
+  // projects those again that exact projections have left off the surface, as the faces around them may have changed
+  void project_rest() { try_again(m_unprojected); }
 
   bool project_exactly(Interruption& interruption) { return project_exactly(all, interruption); }
 
   // how many vertices exact projections have left off the surface
-  std::size_t number_of_unprojected_vertices() const { return m_number_of_unprojected_vertices; }
+  std::size_t number_of_unprojected_vertices() const { return m_unprojected.size(); }
 
   // moves vertices off the surface again, by least squares
   void fit(Interruption& interruption)
@@ -119,6 +120,36 @@ public:
 
 private:
   static bool all(Vertex_index) { return true; }
+
+  // lists the chosen vertices that are still off the surface
+  template <typename IsChosen>
+  bool project_exactly_once(const IsChosen& is_chosen, Interruption& interruption, std::vector<Vertex_index>& left)
+  {
+    Moves moves = exact_projections(is_chosen, interruption);
+    m_guard.template revert<ConcurrencyTag>(moves, interruption);
+    if (interruption.is_requested())
+      return false;
+    moves.template accept<ConcurrencyTag>(m_mesh);
+    m_guard.template update_landmarks<ConcurrencyTag>();
+    left.clear();
+    for (const Vertex_index v : m_mesh.vertices())
+      if (is_chosen(v) && belongs_on_surface(v) && may_be_off_surface(v, moves) &&
+          !m_projection.is_on_surface(m_mesh.point(v), region(v)))
+        left.push_back(v);
+    return true;
+  }
+
+  // projects these few, as often as it helps; they are sorted
+  void try_again(std::vector<Vertex_index>& left)
+  {
+    for (std::size_t before = left.size() + 1; !left.empty() && left.size() < before;)
+    {
+      before = left.size();
+      const std::vector<Vertex_index> due = left;
+      Interruption never;
+      project_exactly_once([&due](const Vertex_index v) { return std::binary_search(due.begin(), due.end(), v); }, never, left);
+    }
+  }
 
   bool belongs_on_surface(const Vertex_index v) const { return is_free(v) || m_placement.is_on_projected_border(v, m_mesh); }
 
@@ -175,7 +206,7 @@ private:
   const Projection& m_projection;
   const Curve_placement<Embedding, Projection> m_placement;
   const Guard& m_guard;
-  std::size_t m_number_of_unprojected_vertices = 0;
+  std::vector<Vertex_index> m_unprojected; // those that exact projections have left off the surface
 };
 
 } // namespace internal

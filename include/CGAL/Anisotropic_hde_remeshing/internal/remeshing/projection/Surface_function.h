@@ -33,11 +33,13 @@ public:
   class Piece
   {
   public:
-    // `unit` is the unit of the points here, in the caller's
     template <typename Function>
-    Piece(const Function& function, const double unit) : m_function(&function), m_evaluate(&evaluate<Function>), m_unit(unit)
+    explicit Piece(const Function& function) : m_function(&function), m_evaluate(&evaluate<Function>)
     {
     }
+
+    // `unit` is the unit of the points here, in the caller's
+    void set_unit(const double unit) { m_unit = unit; }
 
     // The value is a length, so it has the unit of the points. It is not a number where the caller's point would overflow.
     Value_and_gradient operator()(const Vector& p) const
@@ -63,18 +65,27 @@ public:
 
     const void* m_function;
     Value_and_gradient (*m_evaluate)(const void*, const Vector&);
-    double m_unit;
+    double m_unit = 1;
   };
 
   // none, where the facets of the input are the surface
   Surface_function() = default;
 
-  // Keeps references to the pieces of the function. `unit` is the unit of the points here, in the caller's.
+  // keeps references to the pieces of the function
   template <typename Function>
-  explicit Surface_function(const Function& function, const double unit = 1) : m_is_piecewise(internal::is_piecewise<Function>)
+  explicit Surface_function(const Function& function) : m_is_piecewise(internal::is_piecewise<Function>)
   {
     for (std::size_t i = 0; i < internal::number_of_pieces(function); ++i)
-      m_pieces.emplace_back(internal::piece(function, Region(i)), unit);
+      m_pieces.emplace_back(internal::piece(function, Region(i)));
+  }
+
+  // the same for points in `unit`, which is in the caller's
+  Surface_function in_unit(const double unit) const
+  {
+    Surface_function result = *this;
+    for (Piece& piece : result.m_pieces)
+      piece.set_unit(unit);
+    return result;
   }
 
   // whether the function is meant to have sharp edges
