@@ -79,6 +79,8 @@ void Rbf_field<RadialFunction, ConcurrencyTag>::complete_diagnostics(const Surfa
   m_diagnostics.noise = noise;
   m_diagnostics.number_of_holes = m_interpolant->number_of_holes();
   m_diagnostics.memory_bytes += m_interpolant->memory_bytes();
+  m_diagnostics.median_spacing = median_spacing(sample) / m_normalization.scale;
+  m_diagnostics.area = area(sample) / m_normalization.scale / m_normalization.scale;
   m_diagnostics.number_of_points = sample.size();
   m_diagnostics.number_of_points_on_facets = sample.number_of_points_on_facets;
   m_diagnostics.number_of_replaced_vertices = std::size_t(std::count(sample.data.begin(), sample.data.end(), Datum::NONE));

@@ -125,6 +125,27 @@ inline double half_diagonal(const Surface_sample& sample)
   return half_box.norm();
 }
 
+inline double median_spacing(const Surface_sample& sample)
+{
+  std::vector<double> spacings = sample.spacings;
+  if (spacings.empty())
+    return 0;
+  const auto middle = spacings.begin() + std::ptrdiff_t(spacings.size() / 2);
+  std::nth_element(spacings.begin(), middle, spacings.end());
+  return *middle;
+}
+
+// A point stands for about the square of its spacing. Outliers shall not count for much.
+inline double area(const Surface_sample& sample)
+{
+  static constexpr double largest_spacing = 10; // medians
+  const double largest = largest_spacing * median_spacing(sample);
+  double result = 0;
+  for (const double spacing : sample.spacings)
+    result += std::pow((std::min)(spacing, largest), 2);
+  return result;
+}
+
 inline std::size_t memory_bytes_of(const Surface_sample& sample)
 {
   return sample.size() * (2 * sizeof(Vector) + sizeof(double)) + sample.facets.size() * sizeof(Facet) +

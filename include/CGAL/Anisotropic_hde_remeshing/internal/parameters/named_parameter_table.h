@@ -65,6 +65,10 @@ CGAL_AHR_NAMED_PARAMETER(radial_function, Is_radial_function, "a model of Radial
 CGAL_AHR_NAMED_PARAMETER_OF_CGAL(vertex_normal_map, vertex_normal_map_t, Is_vertex_point_map, "a property map from the vertices of the mesh to vectors")
 CGAL_AHR_NAMED_PARAMETER_OF_CGAL(point_map, point_t, Has_points_of_range, "a property map from the elements of the range to points")
 CGAL_AHR_NAMED_PARAMETER_OF_CGAL(normal_map, normal_t, Has_points_of_range, "a property map from the elements of the range to vectors")
+// of the surface mesher. CGAL has these names since 5.6, and keeps no copy of facet_distance.
+CGAL_AHR_NAMED_PARAMETER(facet_angle, Is_number, "a number")
+CGAL_AHR_NAMED_PARAMETER(facet_size, Is_number, "a number")
+CGAL_AHR_NAMED_PARAMETER(facet_distance, Is_number, "a number")
 // of measures, and of several functions
 CGAL_AHR_NAMED_PARAMETER_OF_CGAL(geom_traits, geom_traits_t, Is_kernel, "a kernel")
 CGAL_AHR_NAMED_PARAMETER_OF_CGAL(number_of_points_on_faces, number_of_points_on_faces_t, Is_count, "an integer")

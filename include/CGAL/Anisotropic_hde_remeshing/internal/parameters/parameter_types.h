@@ -19,6 +19,9 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/type_traits.h>
 #include <CGAL/Anisotropic_hde_remeshing/parameters.h>
 
+#include <CGAL/config.h>
+#include <CGAL/version.h>
+
 #include <Eigen/Core>
 
 #include <boost/graph/graph_traits.hpp>
@@ -219,6 +222,12 @@ CGAL_AHR_TAKES(read_face_patch_map, face_patch_t, Is_face_map, "face_patch_map t
 // names of PMP's isotropic_remeshing that would be ignored
 CGAL_AHR_TAKES(do_project, do_project_t, Is_never_taken, "do_project is not for this function: the vertices are always put on the surface")
 CGAL_AHR_TAKES(projection_functor, projection_functor_t, Is_never_taken, "projection_functor is not for this function: give a function whose zero set is the surface")
+// names of CGAL that would be ignored, as the package has its own
+#if CGAL_VERSION_NR >= CGAL_VERSION_NUMBER(5, 6, 0)
+CGAL_AHR_TAKES(facet_angle_of_cgal, facet_angle_param_t, Is_never_taken, "facet_angle is that of CGAL::Anisotropic_hde_remeshing::parameters here")
+CGAL_AHR_TAKES(facet_size_of_cgal, facet_size_param_t, Is_never_taken, "facet_size is that of CGAL::Anisotropic_hde_remeshing::parameters here")
+CGAL_AHR_TAKES(facet_distance_of_cgal, facet_distance_param_t, Is_never_taken, "facet_distance is that of CGAL::Anisotropic_hde_remeshing::parameters here")
+#endif
 // clang-format on
 #undef CGAL_AHR_TAKES
 
@@ -265,6 +274,23 @@ struct Parameters_of_function_of_range
            Takes_close_holes::template accepts<NamedParameters, Subject>() &&
            Takes_point_map::template accepts<NamedParameters, Subject>() &&
            Takes_normal_map::template accepts<NamedParameters, Subject>();
+  }
+};
+
+struct Parameters_of_reconstruction
+{
+  template <typename NamedParameters, typename Subject>
+  static constexpr bool accepts()
+  {
+    return Parameters_of_function_of_range::template accepts<NamedParameters, Subject>() &&
+#if CGAL_VERSION_NR >= CGAL_VERSION_NUMBER(5, 6, 0)
+           Takes_facet_angle_of_cgal::template accepts<NamedParameters, Subject>() &&
+           Takes_facet_size_of_cgal::template accepts<NamedParameters, Subject>() &&
+           Takes_facet_distance_of_cgal::template accepts<NamedParameters, Subject>() &&
+#endif
+           Takes_facet_angle::template accepts<NamedParameters, Subject>() &&
+           Takes_facet_size::template accepts<NamedParameters, Subject>() &&
+           Takes_facet_distance::template accepts<NamedParameters, Subject>();
   }
 };
 
