@@ -39,7 +39,7 @@ faces, the mesh is remeshed on the function then.
 - The mesher ends. On area \f$ A \f$, about that which the points are on, and that of the bounding sphere if holes are closed,
   \f$ n = 1.155 A / \min(s^2, 2 d h) \f$ vertices have place if facets are of the size \f$ s \f$ and at the distance \f$ d \f$, and
   nothing bends more sharply than the spacing \f$ h \f$ of the points can tell. The function is evaluated at most
-  \f$ 10^5 + 100 n \f$ times. Clean points take a tenth of that, or less. What takes more, as noise and outliers may do, ends by an
+  \f$ 10^5 + 50 n \f$ times. Clean points take a tenth of that, or less. What takes more, as noise and outliers may do, ends by an
   exception.
 - The mesh is added to `output_mesh` in the end. If anything is thrown, `output_mesh` is as it was.
 
@@ -134,7 +134,9 @@ rbf_surface_reconstruction(const PointRange& points, TriangleMesh& output_mesh,
       if constexpr (internal::accepts_parameters<internal::Parameters_of_reconstruction, PointRange, NamedParameters>())
         if constexpr (internal::accepts_input_of_function<internal::Radial_function_parameter<NamedParameters>, PointRange,
                                                           NamedParameters>())
-          copy_face_graph(internal::reconstruct<ConcurrencyTag>(points, np, result), output_mesh);
+          if constexpr (internal::accepts_parameters<internal::Parameters_of_remeshing, internal::Reconstructed_mesh,
+                                                     NamedParameters>())
+            copy_face_graph(internal::reconstruct<ConcurrencyTag>(points, np, result), output_mesh);
   return result;
 }
 

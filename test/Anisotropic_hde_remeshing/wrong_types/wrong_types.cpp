@@ -24,8 +24,10 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/anisotropic_hde_remeshing.h>
+#include <CGAL/rbf_surface_reconstruction.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 typedef CGAL::Simple_cartesian<double> Kernel;
@@ -169,6 +171,19 @@ void functions()
   Hde::make_implicit_function([](const Point_3& p) { return p; }); // the function must return a number
   Hde::make_implicit_function(&value_of_sphere, [](const Point_3& p) { return p.x(); }); // the gradient must take a point of the kernel and return a vector of it
   Hde::scalar_field_embedding<Point_3>(1, 1, 3); // the field must be a function object that takes a point
+}
+
+void reconstructions()
+{
+  const std::vector<std::pair<Point_3, Kernel::Vector_3>> points;
+  CGAL::rbf_surface_reconstruction(points, mesh, facet_angle("25")); // the named parameter facet_angle takes a number
+  CGAL::rbf_surface_reconstruction(points, mesh, facet_size(mesh)); // the named parameter facet_size takes a number
+  CGAL::rbf_surface_reconstruction(points, mesh, facet_distance("1")); // the named parameter facet_distance takes a number
+  CGAL::rbf_surface_reconstruction(points, mesh, number_of_target_faces("9")); // the named parameter number_of_target_faces takes an integer
+  CGAL::rbf_surface_reconstruction(points, mesh, detect_outliers(2.5)); // the named parameter detect_outliers takes a Boolean
+  CGAL::rbf_surface_reconstruction(points, mesh, 3); // the last argument must be named parameters
+  CGAL::rbf_surface_reconstruction(mesh, mesh); // the surface is made of a range of points with normals
+  CGAL::rbf_surface_reconstruction(std::vector<Kernel::Vector_3>(), mesh); // a range of points needs point_map and normal_map, unless its elements are pairs
 }
 
 void measures()

@@ -96,7 +96,7 @@ template <typename NamedParameters>
 Meshing_plan meshing_plan(const NamedParameters& np, const Rbf_diagnostics& diagnostics, const double squared_radius)
 {
   static constexpr double relative_distance = 0.1; // of the size
-  static constexpr double evaluations_of_vertex = 100, evaluations_at_least = 1e5;
+  static constexpr double evaluations_of_vertex = 50, evaluations_at_least = 1e5;
   const double spacing = diagnostics.median_spacing, area = area_to_mesh(diagnostics, squared_radius);
   Meshing_plan plan{given_facet_criteria(np), 0};
   if (!(plan.criteria.size > 0))
