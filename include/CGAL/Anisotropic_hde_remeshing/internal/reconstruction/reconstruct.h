@@ -18,6 +18,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/implicit/input_of_function.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Duration.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Interruption.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/parameters/Any_visitor.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/text_of_number.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/type_traits.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parameters/visitor_parameter.h>
@@ -265,9 +266,8 @@ Reconstructed_mesh reconstruct(const PointRange& points, const NamedParameters& 
   check_parameters_of_reconstruction(np);
   Remeshing_visitor nobody;
   Visitor_parameter<NamedParameters> visitor = visitor_parameter(np, nobody);
-  typedef Visitor_of_part<std::remove_reference_t<decltype(visitor)>> Visitor;
   constexpr bool remeshes = asks_for_remeshing<NamedParameters>;
-  Visitor of_function(visitor, 0, share_of_function), of_rest(visitor, share_of_mesher, 1);
+  Visitor_of_part of_function(Any_visitor(visitor), 0, share_of_function), of_rest(Any_visitor(visitor), share_of_mesher, 1);
   visitor.stage_started(Stage::IMPLICIT_FUNCTION);
 
   Real_timer timer;
