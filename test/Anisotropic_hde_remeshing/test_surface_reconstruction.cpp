@@ -69,6 +69,19 @@ bool is_good(const Mesh& mesh, const Result& result)
          CHECK(result.number_of_faces == mesh.number_of_faces());
 }
 
+bool are_equal(const Mesh& a, const Mesh& b)
+{
+  if (a.number_of_vertices() != b.number_of_vertices() || a.number_of_faces() != b.number_of_faces())
+    return false;
+  for (const Mesh::Vertex_index v : a.vertices())
+    if (a.point(v) != b.point(v))
+      return false;
+  for (const Mesh::Face_index f : a.faces())
+    if (a.target(a.halfedge(f)) != b.target(b.halfedge(f)) || a.source(a.halfedge(f)) != b.source(b.halfedge(f)))
+      return false;
+  return true;
+}
+
 void test_ellipsoid()
 {
   const Ellipsoid_function f;
@@ -95,6 +108,11 @@ void test_ellipsoid()
   CHECK(farthest < 5e-3);
   CHECK_CLOSE(volume(mesh) / volume_of_ball(1), 10, 0.1);
   CHECK(result.number_of_evaluations < 100 * mesh.number_of_vertices());
+  // the same once more, wherever in memory the triangulation is
+  const std::vector<std::vector<char>> memory(1000, std::vector<char>(1000));
+  Mesh again;
+  CGAL::rbf_surface_reconstruction(points, again);
+  CHECK(are_equal(mesh, again));
   CHECK(result.function_seconds > 0 && result.meshing_seconds > 0 && result.remeshing_seconds == 0);
 }
 

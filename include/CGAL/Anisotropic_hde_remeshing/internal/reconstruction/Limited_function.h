@@ -38,7 +38,7 @@ template <typename Function>
 class Limited_function
 {
   static constexpr std::size_t largest_number_of_kept_values = std::size_t(1) << 20;
-  static constexpr std::size_t evaluations_of_kept_value = 64; // more cells than that are seldom in use at once
+  static constexpr std::size_t evaluations_of_kept_value = 16; // more cells than that are seldom in use at once
 
   struct Kept_value
   {

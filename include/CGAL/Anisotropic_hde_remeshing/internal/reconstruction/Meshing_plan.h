@@ -78,8 +78,7 @@ struct Meshing_plan
 // The area of the surface, roughly. What closes holes is in the bounding sphere.
 inline double area_to_mesh(const Rbf_diagnostics& diagnostics, const double squared_radius)
 {
-  static constexpr double pi = 3.14159265358979323846;
-  return diagnostics.area + (diagnostics.number_of_holes > 0 ? 4 * pi * squared_radius : 0.);
+  return diagnostics.area + (diagnostics.number_of_holes > 0 ? 4 * CGAL_PI * squared_radius : 0.);
 }
 
 // The mesher puts no vertex nearer to another one than the radius of the smallest ball that a facet may have. The data cannot tell

@@ -28,10 +28,12 @@
 #  undef CGAL_AHR_NO_DEPRECATION_WARNINGS
 #endif
 
-#include <CGAL/assertions.h>
+#include <CGAL/exceptions.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <unordered_map>
@@ -56,6 +58,29 @@ struct Triangles
   std::vector<std::array<std::size_t, 3>> triangles;
 };
 
+// The order in which CGAL has them depends on addresses. The mesh shall not.
+inline Triangles sorted(const Triangles& given)
+{
+  std::vector<std::size_t> order(given.points.size()), place(given.points.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::sort(order.begin(), order.end(),
+            [&](const std::size_t i, const std::size_t j) { return given.points[i] < given.points[j]; });
+  Triangles result;
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    place[order[i]] = i;
+    result.points.push_back(given.points[order[i]]);
+  }
+  for (const std::array<std::size_t, 3>& t : given.triangles)
+  {
+    std::array<std::size_t, 3> triangle{place[t[0]], place[t[1]], place[t[2]]};
+    std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
+    result.triangles.push_back(triangle);
+  }
+  std::sort(result.triangles.begin(), result.triangles.end());
+  return result;
+}
+
 // the facets, seen from where the function is positive
 template <typename Complex, typename Zero_set, typename Traits>
 Triangles oriented_facets(const Complex& complex, const Zero_set& zero_set, const Traits&)
@@ -63,7 +88,7 @@ Triangles oriented_facets(const Complex& complex, const Zero_set& zero_set, cons
   typedef typename Complex::Triangulation Triangulation;
   const Triangulation& triangulation = complex.triangulation();
   Triangles result;
-  std::unordered_map<const void*, std::size_t> indices; // in the order of the facets, not of the addresses
+  std::unordered_map<const void*, std::size_t> indices;
   const auto index = [&](const typename Triangulation::Vertex_handle v)
   {
     const auto inserted = indices.emplace(&*v, result.points.size());
@@ -84,7 +109,7 @@ Triangles oriented_facets(const Complex& complex, const Zero_set& zero_set, cons
           std::swap(v[1], v[2]);
         result.triangles.push_back({index(v[0]), index(v[1]), index(v[2])});
       }
-  return result;
+  return sorted(result);
 }
 
 // Meshes the parts of the zero set on which the points are, by CGAL's surface mesher. `ManifoldTag` is one of CGAL's. There are no

@@ -40,10 +40,9 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <memory>
-#include <optional>
 #include <stdexcept>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
