@@ -44,7 +44,7 @@ faces, the mesh is remeshed on the function then.
 - The mesh is added to `output_mesh` in the end. If anything is thrown, `output_mesh` is as it was.
 
 The mesher runs in one thread, in time proportional to the number of vertices and the time of an evaluation. All else is parallel if
-`ConcurrencyTag` says so. The result is the same.
+`ConcurrencyTag` says so. The result is the same, in the same order.
 
 \tparam ConcurrencyTag `Sequential_tag` (the default), `Parallel_tag` or `Parallel_if_available_tag`
 \tparam PointRange a model of `ConstRange`
