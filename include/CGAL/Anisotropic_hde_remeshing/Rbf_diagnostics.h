@@ -34,7 +34,8 @@ struct Rbf_diagnostics
   std::size_t number_of_points_without_normal = 0; ///< given ones with a zero or cancelled normal: no off-surface points
   std::size_t number_of_shortened_offsets = 0;     ///< off-surface points set nearer or left out, as another sheet is close
   std::size_t number_of_holes = 0;                 ///< holes wider than six spacings, closed; 0 with `close_holes(false)`
-  /// the median of the mean distances from a point to its six nearest neighbours, or to those at its edges, in the unit of the coordinates
+  /// the median of the mean distances from a point to its six nearest neighbours, or to those at its edges, in the unit of the
+  /// coordinates
   double median_spacing = 0;
   /// about the area that the points are on: the sum of the squares of these distances, each of at most ten times the median
   double area = 0;
