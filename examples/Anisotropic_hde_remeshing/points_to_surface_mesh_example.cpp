@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Anisotropic_hde_remeshing developers
 
-// From points with normals to a mesh that follows the curvature. The noise is found out, outliers are left out, and where points are
-// missing, the surface is closed.
+// From points with normals to a mesh that follows the curvature. The noise is found out, outliers are left out, and where points
+// are missing, the surface is closed.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Point_set_3.h>

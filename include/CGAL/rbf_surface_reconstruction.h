@@ -29,11 +29,11 @@ makes a triangle mesh of the surface through points with normals. `Rbf_implicit_
 mesher (`make_surface_mesh()`) meshes its zero set. If a parameter of `anisotropic_hde_remeshing()` is given, such as a number of
 faces, the mesh is remeshed on the function then.
 
-- The mesh is an orientable manifold, looks outward, that is along the normals, and is closed, unless `close_holes(false)` is given: then
-  it ends at the `Rbf_implicit_function::bounding_sphere()`.
-- It has all components of the zero set on which points are, if they are further from each other than `facet_size`, and none on which
-  there are no points. The mesher begins on each of them with points that are put on the zero set. Parts of it that are too small for
-  this are counted in `Anisotropic_hde_remeshing::Reconstruction_result::number_of_missed_places`.
+- The mesh is an orientable manifold, looks outward, that is along the normals, and is closed, unless `close_holes(false)` is
+  given: then it ends at the `Rbf_implicit_function::bounding_sphere()`.
+- It has all components of the zero set on which points are, if they are further from each other than `facet_size`, and none on
+  which there are no points. The mesher begins on each of them with points that are put on the zero set. Parts of it that are too
+  small for this are counted in `Anisotropic_hde_remeshing::Reconstruction_result::number_of_missed_places`.
 - The vertices are on the zero set, up to 1e-4 of the smaller one of `facet_size` and `facet_distance`, and as
   `anisotropic_hde_remeshing()` has them if it follows.
 - The mesher ends. On area \f$ A \f$, about that which the points are on, and that of the bounding sphere if holes are closed,
@@ -85,13 +85,13 @@ The mesher runs in one thread, in time proportional to the number of vertices an
     \cgalParamDescription{the largest radius of a ball about a facet of the surface mesher with its centre on the surface, a length.
                           Edges get about as long. Components and parts of the surface that are smaller may be missed.}
     \cgalParamType{a number, positive, and so large that the mesh gets at most 500,000,000 faces}
-    \cgalParamDefault{the spacing of the points, `Rbf_diagnostics::median_spacing`: the mesh gets about as many vertices as there are
-                      points, where these are even. With `number_of_target_faces` it is larger, so that the mesh has no more faces, but
-                      at most four spacings}
+    \cgalParamDefault{the spacing of the points, `Rbf_diagnostics::median_spacing`: the mesh gets about as many vertices as there
+                      are points, where these are even. With `number_of_target_faces` it is larger, so that the mesh has no more
+                      faces, but at most four spacings}
   \cgalParamNEnd
   \cgalParamNBegin{facet_distance}
-    \cgalParamDescription{the largest distance from the centre of this ball to that of the circumcircle of the facet, a length: about
-                          how far facets may be from the surface}
+    \cgalParamDescription{the largest distance from the centre of this ball to that of the circumcircle of the facet, a length:
+                          about how far facets may be from the surface}
     \cgalParamType{a number, positive, and so large that the mesh gets at most 500,000,000 faces}
     \cgalParamDefault{a tenth of `facet_size`}
   \cgalParamNEnd
@@ -101,9 +101,9 @@ The mesher runs in one thread, in time proportional to the number of vertices an
     \cgalParamDefault{as many as the surface mesher makes}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{hears of the progress of all three steps together. The first two are `Stage::IMPLICIT_FUNCTION`. If it stops
-                          them, `Anisotropic_hde_remeshing::Interrupted` is thrown; a remeshing that it stops leads to the mesh
-                          reached by then.}
+    \cgalParamDescription{hears of the progress of all three steps together. The first two are `Stage::IMPLICIT_FUNCTION`. If it
+                          stops them, `Anisotropic_hde_remeshing::Interrupted` is thrown; a remeshing that it stops leads to the
+                          mesh reached by then.}
     \cgalParamType{a model of `RemeshingVisitor`}
     \cgalParamDefault{`Anisotropic_hde_remeshing::Remeshing_visitor`}
   \cgalParamNEnd

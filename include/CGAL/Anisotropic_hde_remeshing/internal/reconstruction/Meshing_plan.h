@@ -82,8 +82,8 @@ inline double area_to_mesh(const Rbf_diagnostics& diagnostics, const double squa
 }
 
 // The mesher puts no vertex nearer to another one than the radius of the smallest ball that a facet may have. The data cannot tell
-// bends that are sharper than their spacing: there a ball of this radius r has a sagitta of r^2 / (2 * spacing). So many vertices have
-// place on the area, and each takes so many evaluations.
+// bends that are sharper than their spacing: there a ball of this radius r has a sagitta of r^2 / (2 * spacing). So many vertices
+// have place on the area, and each takes so many evaluations.
 inline double largest_number_of_vertices(const Facet_criteria& criteria, const double spacing, const double area)
 {
   static constexpr double vertices_on_square = 1.155; // discs in a hexagonal lattice

@@ -23,8 +23,8 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// What CGAL's surface mesher asks of a surface, a model of its SurfaceMeshTraits_3. CGAL's own for implicit functions asks for signs
-// only, at four times as many places.
+// What CGAL's surface mesher asks of a surface, a model of its SurfaceMeshTraits_3. CGAL's own for implicit functions asks for
+// signs only: it bisects, and evaluates the centre of a cell anew for each of its facets.
 template <typename Function>
 class Surface_mesh_traits
 {
