@@ -333,7 +333,7 @@ Anisotropic_hde_remeshing::Remeshing_result anisotropic_hde_remeshing(TriangleMe
                                                                       const NamedParameters& np = parameters::default_values())
 {
   namespace internal = Anisotropic_hde_remeshing::internal;
-  return internal::remesh_on_surface<ConcurrencyTag>(internal::Whole_mesh(), tmesh, function, np);
+  return internal::remesh_on_surface<std::remove_cv_t<ConcurrencyTag>>(internal::Whole_mesh(), tmesh, function, np);
 }
 
 /*!
@@ -391,7 +391,7 @@ Anisotropic_hde_remeshing::Remeshing_result anisotropic_hde_remeshing(TriangleMe
                                                                       const Named_function_parameters<T, Tag, Base>& np)
 {
   namespace internal = Anisotropic_hde_remeshing::internal;
-  return internal::remesh_on_built_surface<ConcurrencyTag>(internal::Whole_mesh(), tmesh, np);
+  return internal::remesh_on_built_surface<std::remove_cv_t<ConcurrencyTag>>(internal::Whole_mesh(), tmesh, np);
 }
 
 /*!
@@ -424,7 +424,8 @@ Anisotropic_hde_remeshing::Remeshing_result anisotropic_hde_remeshing(const Face
                                                                       const NamedParameters& np = parameters::default_values())
 {
   namespace internal = Anisotropic_hde_remeshing::internal;
-  return internal::remesh_on_surface<ConcurrencyTag>(internal::Part_of_mesh<FaceRange>{faces}, tmesh, function, np);
+  return internal::remesh_on_surface<std::remove_cv_t<ConcurrencyTag>>(internal::Part_of_mesh<FaceRange>{faces}, tmesh,
+                                                                       function, np);
 }
 
 /*!
@@ -439,7 +440,8 @@ Anisotropic_hde_remeshing::Remeshing_result anisotropic_hde_remeshing(const Face
                                                                       const Named_function_parameters<T, Tag, Base>& np)
 {
   namespace internal = Anisotropic_hde_remeshing::internal;
-  return internal::remesh_on_built_surface<ConcurrencyTag>(internal::Part_of_mesh<FaceRange>{faces}, tmesh, np);
+  return internal::remesh_on_built_surface<std::remove_cv_t<ConcurrencyTag>>(internal::Part_of_mesh<FaceRange>{faces}, tmesh,
+                                                                             np);
 }
 
 /*!

@@ -13,6 +13,8 @@
 #include "shapes.h"
 
 #include <CGAL/Anisotropic_hde_remeshing/distance_measures.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Closest_facet.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Distance_check.h>
 #include <CGAL/anisotropic_hde_remeshing.h>
 
 #include <array>

@@ -13,6 +13,8 @@
 #include "shapes.h"
 
 #include <CGAL/Anisotropic_hde_remeshing/distance_measures.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/geometry/closest_on_triangle.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/samples/Reference_samples.h>
 #include <CGAL/Anisotropic_hde_remeshing/quality_measures.h>
 #include <CGAL/anisotropic_hde_remeshing.h>
 
