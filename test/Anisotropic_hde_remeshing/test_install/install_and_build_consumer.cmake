@@ -24,7 +24,7 @@ run("${CMAKE_COMMAND}" --install "${PACKAGE_BINARY_DIR}" --config "${CONFIGURATI
 # the folder may be that of CGAL's headers: no file may take the place of one of CGAL's
 file(GLOB_RECURSE headers RELATIVE "${WORK_DIR}/prefix/include" "${WORK_DIR}/prefix/include/*")
 foreach(header IN LISTS headers)
-  if(NOT header MATCHES "[Aa]nisotropic_hde_remeshing|[Rr]bf_implicit_function|Radial_basis_functions")
+  if(NOT header MATCHES "[Aa]nisotropic_hde_remeshing|[Rr]bf_implicit_function|rbf_surface_reconstruction|Radial_basis_functions")
     message(FATAL_ERROR "The name of an installed header is not the package's own: ${header}")
   endif()
 endforeach()

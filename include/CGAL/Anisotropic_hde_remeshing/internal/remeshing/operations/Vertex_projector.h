@@ -60,7 +60,7 @@ public:
 
   // Projects all chosen vertices in the end. The last way of a vertex goes from a rough projection to the exact one. A vertex
   // stays if this way would fold a face or, where that counts, make a face intersect another one. Moves are taken back together with
-  // those of neighbours, so who had to stay tries again from where the others are now. Returns false if it was interrupted and did
+  // those of neighbours, so who had to stay tries again. Returns false if it was interrupted and did
   // nothing.
   template <typename IsChosen>
   bool project_exactly(const IsChosen& is_chosen, Interruption& interruption)
@@ -123,9 +123,10 @@ private:
 
   // lists the chosen vertices that are still off the surface
   template <typename IsChosen>
-  bool project_exactly_once(const IsChosen& is_chosen, Interruption& interruption, std::vector<Vertex_index>& left)
+  bool project_exactly_once(const IsChosen& is_chosen, Interruption& interruption, std::vector<Vertex_index>& left,
+                            const double share_of_mean = 0)
   {
-    Moves moves = exact_projections(is_chosen, interruption);
+    Moves moves = exact_projections(is_chosen, interruption, share_of_mean);
     m_guard.template revert<ConcurrencyTag>(moves, interruption);
     if (interruption.is_requested())
       return false;
@@ -139,15 +140,18 @@ private:
     return true;
   }
 
-  // projects these few, as often as it helps; they are sorted
+  // Projects these few, which are sorted: from where they are, as their neighbours may have moved, and from ever further on the way to
+  // the mean of their neighbours, as from there the last way may fold nothing.
   void try_again(std::vector<Vertex_index>& left)
   {
-    for (std::size_t before = left.size() + 1; !left.empty() && left.size() < before;)
+    for (const double share : {0., 0.1, 0.3, 1.})
     {
-      before = left.size();
+      if (left.empty())
+        return;
       const std::vector<Vertex_index> due = left;
       Interruption never;
-      project_exactly_once([&due](const Vertex_index v) { return std::binary_search(due.begin(), due.end(), v); }, never, left);
+      project_exactly_once([&due](const Vertex_index v) { return std::binary_search(due.begin(), due.end(), v); }, never, left,
+                           share);
     }
   }
 
@@ -161,7 +165,7 @@ private:
   bool is_free(const Vertex_index v) const { return !m_mesh.point(v).is_on_curve && !m_mesh.point(v).is_fixed; }
 
   template <typename IsChosen>
-  Moves exact_projections(const IsChosen& is_chosen, Interruption& interruption) const
+  Moves exact_projections(const IsChosen& is_chosen, Interruption& interruption, const double share_of_mean = 0) const
   {
     Moves moves(m_mesh);
     moves.template propose<ConcurrencyTag>(
@@ -170,6 +174,8 @@ private:
         {
           if (is_free(v))
           {
+            if (share_of_mean > 0)
+              state.point += share_of_mean * (mean_of_neighbors(v) - state.point);
             m_projection.project(state, region(v), 0.5 * mean_edge_length(v));
             m_embedding.place(state);
           }
@@ -187,6 +193,18 @@ private:
 
   // the region of a vertex that is not on a crease
   Region region(const Vertex_index v) const { return m_mesh.region(m_mesh.halfedge(v)); }
+
+  Vector mean_of_neighbors(const Vertex_index v) const
+  {
+    Vector sum = Vector::Zero();
+    std::size_t degree = 0;
+    for (const Halfedge_index h : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
+    {
+      sum += m_mesh.point(m_mesh.source(h)).point;
+      ++degree;
+    }
+    return sum / double(degree);
+  }
 
   // the root mean square of the lengths in space
   double mean_edge_length(const Vertex_index v) const
