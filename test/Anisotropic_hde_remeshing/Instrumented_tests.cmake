@@ -103,9 +103,9 @@ if(CGAL_AHR_VALGRIND)
   set_tests_properties(memcheck_test_simultaneous_moves PROPERTIES LABELS memcheck TIMEOUT 300)
 endif()
 
-# What users of Debian 13 and of the next Debian have: all programs compile with other versions of CGAL, Boost and Eigen, with
-# another compiler, and without TBB, and with the first hde_remesh and a test run. scripts/build_elsewhere.sh builds all in all
-# combinations. add_test_elsewhere(NAME CONFIGURATION TARGETS TESTS)
+# What users of Debian 13 and of the next Debian have: programs compile with other versions of CGAL, Boost and Eigen, with
+# another compiler, and without TBB, and with the first hde_remesh and an example run. Tests compile with the second.
+# scripts/build_elsewhere.sh builds all in all combinations. add_test_elsewhere(NAME CONFIGURATION TARGETS TESTS)
 function(add_test_elsewhere name configuration targets tests)
   add_test(NAME ${name} COMMAND "${PROJECT_SOURCE_DIR}/scripts/build_elsewhere.sh" ${configuration})
   set_tests_properties(${name} PROPERTIES LABELS elsewhere TIMEOUT 1800 SKIP_RETURN_CODE 77 ENVIRONMENT
@@ -113,10 +113,11 @@ function(add_test_elsewhere name configuration targets tests)
 endfunction()
 
 if(UNIX)
-  add_test_elsewhere(elsewhere_gcc_trixie g++,17,trixie,ON "hde_remesh test_transfer_vertex_property"
-    "^(hde_remesh_runs|test_transfer_vertex_property)$")
+  add_test_elsewhere(elsewhere_gcc_trixie g++,17,trixie,ON "hde_remesh remesh_example"
+    "^(hde_remesh_runs|example_remesh_example)$")
   add_test_elsewhere(elsewhere_clang_trixie clang++,17,trixie,ON "syntax_check_examples syntax_check_tests" "")
-  add_test_elsewhere(elsewhere_clang_forky clang++,20,forky,OFF "syntax_check public_headers" "")
+  add_test_elsewhere(elsewhere_clang_forky clang++,20,forky,OFF
+    "syntax_check_examples syntax_check_hde_remesh syntax_check_instantiations public_headers" "")
 endif()
 
 # libFuzzer is Clang's, whichever compiler builds the rest
