@@ -6,7 +6,7 @@
 #
 # Author(s)     : The Anisotropic_hde_remeshing developers
 
-# Two Debian packages, of the headers and of the program: cmake --build BUILD_DIR --target package. To be included after all
+# Debian packages of the headers, of the compiled library and of the program: cmake --build BUILD_DIR --target package. To be included after all
 # that is installed.
 
 set(package_info "${PROJECT_SOURCE_DIR}/package_info/Anisotropic_hde_remeshing")
@@ -31,6 +31,21 @@ set(CPACK_DEBIAN_HEADERS_PACKAGE_ARCHITECTURE all)
 set(CPACK_DEBIAN_HEADERS_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_HEADERS_PACKAGE_DEPENDS "libcgal-dev (>= 5.5), libeigen3-dev")
 set(CPACK_DEBIAN_HEADERS_PACKAGE_RECOMMENDS libtbb-dev)
+
+if(CGAL_AHR_WITH_COMPILED_LIBRARY)
+  list(APPEND CPACK_COMPONENTS_ALL library)
+  set(CPACK_COMPONENT_LIBRARY_DESCRIPTION
+    "${CPACK_PACKAGE_DESCRIPTION}\nThis package holds the compiled library, shared and static, for programs that are to compile quickly.")
+  set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libcgal-anisotropic-hde-remeshing-compiled-dev)
+  set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
+  # the library is for the version of CGAL that it was compiled with
+  set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS
+    "libcgal-anisotropic-hde-remeshing-dev (= ${Anisotropic_hde_remeshing_VERSION}), libcgal-dev (>= ${CGAL_VERSION})")
+  if(CGAL_AHR_COMPILED_WITH_TBB)
+    string(APPEND CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS ", libtbb-dev")
+  endif()
+  set(CPACK_DEBIAN_LIBRARY_PACKAGE_SHLIBDEPS ON)
+endif()
 
 if(TARGET hde_remesh)
   list(APPEND CPACK_COMPONENTS_ALL program)

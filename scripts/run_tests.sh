@@ -44,7 +44,7 @@ install_packages_for_tests() {
 
 build() {
   cmake -Wno-dev -S . -B "$build_dir" -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=ON \
-    -DCGAL_AHR_WITH_QUICK_COMPILATION=ON \
+    -DCGAL_AHR_WITH_QUICK_COMPILATION=ON -DCGAL_AHR_WITH_COMPILED_LIBRARY=ON \
     -DCGAL_AHR_WITH_INSTRUMENTED_TESTS="$instrumented" -DCGAL_AHR_WITH_LONG_TESTS="$long_tests" \
     -DCGAL_AHR_FUZZING_SECONDS="${FUZZING_SECONDS:-0}"
   cmake --build "$build_dir" -j "$jobs"

@@ -40,7 +40,12 @@ run("${CMAKE_COMMAND}" -S "${CONSUMER_DIR}" -B "${WORK_DIR}/consumer" -G "${GENE
   "-DCMAKE_BUILD_TYPE=Debug"
   "-DCMAKE_CXX_FLAGS_DEBUG=-O0" # to compile quickly
   "-DCMAKE_PREFIX_PATH=${WORK_DIR}/prefix"
-  "-DCGAL_DIR=${CGAL_CONFIG_DIR}")
+  "-DCGAL_DIR=${CGAL_CONFIG_DIR}"
+  "-DEXPECTS_COMPILED_LIBRARY=${WITH_COMPILED_LIBRARY}")
 run("${CMAKE_COMMAND}" --build "${WORK_DIR}/consumer")
 run("${WORK_DIR}/consumer/consumer")
 run("${WORK_DIR}/consumer/without_target")
+if(WITH_COMPILED_LIBRARY)
+  run("${WORK_DIR}/consumer/consumer_of_compiled")
+  run("${WORK_DIR}/consumer/consumer_of_compiled_static")
+endif()
