@@ -24,6 +24,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <iomanip>
 #include <iostream>
 #include <string>
@@ -104,7 +105,10 @@ bool reproduce(const Run& run, const std::string& file_name)
 int main(int argc, char* argv[])
 {
   if (argc != 1 && argc != 1 + int(runs.size()))
-    return std::cerr << "usage: paper_example [BUNNY LUCY BRONCHUS]" << std::endl, 1;
+  {
+    std::cerr << "usage: paper_example [BUNNY LUCY BRONCHUS]" << std::endl;
+    return EXIT_FAILURE;
+  }
   std::cout << std::setprecision(4) << std::left << std::setw(34) << "mesh" << std::right << std::setw(9) << "faces"
             << std::setw(8) << "share" << std::setw(10) << "q" << std::setw(8) << "folds"
             << "   |" << std::setw(9) << "paper" << std::setw(8) << "share" << std::setw(10) << "q" << std::endl;

@@ -14,6 +14,7 @@
 
 #include <CGAL/anisotropic_hde_remeshing.h>
 
+#include <cstdlib>
 #include <iostream>
 #include <string>
 
@@ -26,7 +27,10 @@ int main(int argc, char* argv[])
   const std::string input = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/elephant.off");
   Polyhedron polyhedron;
   if (!CGAL::IO::read_polygon_mesh(input, polyhedron))
-    return std::cerr << "Cannot read " << input << std::endl, 1;
+  {
+    std::cerr << "Cannot read " << input << std::endl;
+    return EXIT_FAILURE;
+  }
 
   CGAL::anisotropic_hde_remeshing(polyhedron, params::number_of_target_faces(4000).relative_sigma(0.03));
 

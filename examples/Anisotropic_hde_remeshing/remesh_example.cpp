@@ -14,6 +14,7 @@
 
 #include <CGAL/anisotropic_hde_remeshing.h>
 
+#include <cstdlib>
 #include <iostream>
 #include <string>
 
@@ -26,11 +27,19 @@ int main(int argc, char* argv[])
   const std::string input = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/bunny00.off");
   Mesh mesh;
   if (!CGAL::IO::read_polygon_mesh(input, mesh))
-    return std::cerr << "Cannot read " << input << std::endl, 1;
+  {
+    std::cerr << "Cannot read " << input << std::endl;
+    return EXIT_FAILURE;
+  }
 
   const auto parameters = params::number_of_target_faces(20000);
   CGAL::anisotropic_hde_remeshing<CGAL::Parallel_if_available_tag>(mesh, parameters);
 
+  if (!CGAL::IO::write_polygon_mesh("remeshed.off", mesh, CGAL::parameters::stream_precision(17)))
+  {
+    std::cerr << "Cannot write remeshed.off" << std::endl;
+    return EXIT_FAILURE;
+  }
   std::cout << mesh.number_of_faces() << " faces, written to remeshed.off" << std::endl;
-  return CGAL::IO::write_polygon_mesh("remeshed.off", mesh, CGAL::parameters::stream_precision(17)) ? 0 : 1;
+  return EXIT_SUCCESS;
 }

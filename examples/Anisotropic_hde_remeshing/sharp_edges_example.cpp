@@ -14,6 +14,7 @@
 
 #include <CGAL/anisotropic_hde_remeshing.h>
 
+#include <cstdlib>
 #include <iostream>
 #include <string>
 
@@ -26,7 +27,10 @@ int main(int argc, char* argv[])
   const std::string input = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/fandisk.off");
   Mesh mesh;
   if (!CGAL::IO::read_polygon_mesh(input, mesh))
-    return std::cerr << "Cannot read " << input << std::endl, 1;
+  {
+    std::cerr << "Cannot read " << input << std::endl;
+    return EXIT_FAILURE;
+  }
 
   // edges are sharp where the normals of their faces differ by 40 degrees or more
   const auto parameters = params::sharp_angle(40).number_of_target_faces(8000);

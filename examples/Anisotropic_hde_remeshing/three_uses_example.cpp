@@ -16,6 +16,7 @@
 #include <CGAL/Rbf_implicit_function.h>
 #include <CGAL/anisotropic_hde_remeshing.h>
 
+#include <cstdlib>
 #include <iostream>
 #include <string>
 
@@ -29,7 +30,10 @@ int main(int argc, char* argv[])
   const std::string name = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/elephant.off");
   Mesh input;
   if (!CGAL::IO::read_polygon_mesh(name, input))
-    return std::cerr << "Cannot read " << name << std::endl, 1;
+  {
+    std::cerr << "Cannot read " << name << std::endl;
+    return EXIT_FAILURE;
+  }
 
   // one function for all three: new vertices lie on it, not on the flat triangles of the input
   const CGAL::Rbf_implicit_function<Kernel, CGAL::Polyharmonic_rbf, CGAL::Parallel_if_available_tag> function(input);
