@@ -15,7 +15,7 @@ isotropic. This is a map of the surface into a space of more dimensions, or a Ri
 measure lengths by it. They measure angles and areas by the lengths of three sides.
 
 A `Vertex` below is a type of the package that is derived from `Vertex_data`. It has the members `Eigen::Vector3d point` and
-`Eigen::Vector3d normal`, a unit vector. Points are in a unit of the remesher's own: a power of two for which the diagonal of
+`Eigen::Vector3d normal`, a unit vector. Points are in the remesher's own unit: a power of two for which the diagonal of
 the bounding box of the mesh is less than one and no less than a half. Const members are called concurrently.
 
 \cgalRefines{CopyConstructible}

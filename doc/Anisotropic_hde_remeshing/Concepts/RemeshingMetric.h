@@ -14,9 +14,9 @@ The concept `RemeshingMetric` describes a Riemannian metric of the tangent plane
 `CGAL::anisotropic_hde_remeshing()` takes a model of it as the parameter `embedding` and makes the mesh uniform and isotropic in
 the metric. The remesher limits the metric by its bounds and keeps it at the vertices. Between two vertices it takes the mean.
 
-A metric is asked in a unit of length of the remesher's own: a power of two for which the diagonal of the bounding box of the
-mesh is less than one and no less than a half. `in_unit()` tells this unit. The metrics of all points may have a common factor,
-which only counts for a target length. Const members are called concurrently.
+The remesher has a unit of length of its own: a power of two for which the diagonal of the bounding box of the
+mesh is less than one and no less than a half. Points and curvatures are passed in this unit, and `in_unit()` is called with it. A
+common factor of all metrics only matters for a target length. Const members are called concurrently.
 
 \cgalRefines{CopyConstructible}
 
@@ -42,6 +42,6 @@ public:
   Eigen::Matrix2d operator()(const Eigen::Vector3d& point, const Eigen::Matrix<double, 3, 2>& frame,
                              const Eigen::Matrix2d& shape_operator) const;
 
-  /// what the remesher limits the metric by
+  /// the bounds by which the remesher limits the metric
   CGAL::Anisotropic_hde_remeshing::Metric_bounds bounds() const;
 };
