@@ -43,23 +43,23 @@
 namespace CGAL {
 
 /*!
-\ingroup PkgAnisotropicHdeRemeshingRef
+\ingroup PkgAnisotropicHdeRemeshingSharp
 
 Signed functions, one for each region of a triangle mesh. Their zero sets together are a surface with sharp edges: each zero set
 is smooth, and the edges are where two of them meet.
 
 The regions are those of `Anisotropic_hde_remeshing::detect_surface_regions()`, or any other parts of the mesh. A vertex at a
 crease belongs to all regions there, and has the normal of each. The function of a region is
-- the signed distance to a plane, if all points of the region are in one up to 5 millionths of the size of the mesh. That is the
-  rounding of files with six digits.
-- else an `Rbf_implicit_function` of the faces of the region. The edges of a region may be much longer in one direction than in
-  the other, as those of a cylinder of two rows of vertices. Its function is one of points with normals, and points are added on
-  curves over the long edges.
+- the signed distance to a plane, if all points of the region are in a plane, up to 5 millionths of the size of the mesh. That is
+  the rounding of files with six digits.
 - the signed distance to the facets of the region, if it has less than 10 vertices, if no function by radial basis functions can be
-  built from it, or if that misses more than 2% of the area of the facets. At their boundary the distance goes on along the tangent
-  planes.
+  built from it, or if that function misses more than 2% of the area of the facets. Beyond the boundary of the region the distance
+  continues along the tangent planes.
+- otherwise an `Rbf_implicit_function` of the faces of the region. The edges of a region may be much longer in one direction than
+  in the other, as those of a cylinder of two rows of vertices. Then the function is one of points with normals, and points are
+  added on curves over the long edges.
 
-All of them go on smoothly beyond the boundary of the region: planes without an end, facets along their tangents, fields for two
+All of them continue smoothly beyond the boundary of the region: planes without an end, facets along their tangents, fields for two
 and a half local spacings.
 
 Copies are cheap: they share the data, which never change. All members are thread-safe. The function does not depend on the
@@ -70,8 +70,8 @@ The construction takes time linear in the number of points. An evaluation takes 
 
 \tparam GeomTraits a kernel; computations are in `double` whatever its number type
 \tparam RadialFunction a model of `RadialBasisFunction`, such as `Polyharmonic_rbf`
-\tparam ConcurrencyTag `Sequential_tag` (the default), `Parallel_tag` or `Parallel_if_available_tag`: how the function is built. With
-        the latter two, `RadialFunction` is called from several threads at once. The result is the same.
+\tparam ConcurrencyTag `Sequential_tag` (the default), `Parallel_tag` or `Parallel_if_available_tag`: how the function is built.
+       With the latter two, `RadialFunction` is called from several threads at once. The result is the same.
 
 \cgalModels `PiecewiseImplicitFunction`
 */
@@ -109,7 +109,7 @@ public:
     Piece(const Piece&) = default;
     Piece& operator=(const Piece&) = default;
 
-    /// what it is
+    /// the kind of the function
     Anisotropic_hde_remeshing::Piece_kind kind() const { return m_function.kind(); }
 
     /// the interpolant, if the kind is `Piece_kind::FIELD`; else a null pointer
@@ -128,7 +128,7 @@ public:
       return field() != nullptr ? field()->gradient(p) : to_vector_3(evaluate(p).gradient);
     }
 
-    /// both, in the time of one
+    /// the value and the gradient at `p`, in the time of one
     std::pair<FT, Vector_3> value_and_gradient(const Point_3& p) const
     {
       if (field() != nullptr)
@@ -186,7 +186,7 @@ public:
     \cgalParamNEnd
     \cgalParamNBegin{visitor}
       \cgalParamDescription{its `go_further()` is asked every few milliseconds, and may stop the construction. Its `progress()`
-                            is told the share of the construction that is done, from 0 to 1.}
+                            gets the share of the construction that is done, from 0 to 1.}
       \cgalParamType{a model of `RemeshingVisitor`}
       \cgalParamDefault{`Anisotropic_hde_remeshing::Remeshing_visitor`}
     \cgalParamNEnd

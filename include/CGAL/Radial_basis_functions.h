@@ -17,14 +17,15 @@
 
 namespace CGAL {
 
-/// \defgroup PkgAnisotropicHdeRemeshingKernels Radial Basis Functions
-/// Models of the concept `RadialBasisFunction`: the functions of the paper's Table 1, in Wendland's forms, and the thin plate
-/// spline. Kernels with a shape parameter take it in units of the local spacing of the points by default. The larger it is,
-/// the smoother is the interpolant and the worse the condition of its system.
+/// \addtogroup PkgAnisotropicHdeRemeshingKernels
+///
+/// The kernels are the functions of the paper's Table 1, in Wendland's forms, and the thin plate spline. Kernels with a shape
+/// parameter take it in units of the local spacing of the points by default. The larger it is, the smoother is the interpolant
+/// and the worse the condition of its system.
 /// @{
 
 /*!
-\ingroup PkgAnisotropicHdeRemeshingRef
+\ingroup PkgAnisotropicHdeRemeshingKernels
 
 What a kernel \f$ \phi \f$ returns for a distance \f$ r \f$: its value and its derivatives, in the form that the concept
 `RadialBasisFunction` asks for.
@@ -59,7 +60,7 @@ enum class Rbf_length_unit
 };
 
 /*!
-\ingroup PkgAnisotropicHdeRemeshingRef
+\ingroup PkgAnisotropicHdeRemeshingKernels
 
 The polyharmonic spline \f$ \phi(r) = r^3 \f$, conditionally positive definite of order 2.
 
@@ -83,7 +84,7 @@ struct Polyharmonic_rbf
 };
 
 /*!
-\ingroup PkgAnisotropicHdeRemeshingRef
+\ingroup PkgAnisotropicHdeRemeshingKernels
 
 The thin plate spline \f$ \phi(r) = r^2 \log r \f$, conditionally positive definite of order 2. It is the kernel of the paper's
 examples.
@@ -109,7 +110,7 @@ struct Thin_plate_rbf
 };
 
 /*!
-\ingroup PkgAnisotropicHdeRemeshingRef
+\ingroup PkgAnisotropicHdeRemeshingKernels
 
 The Gaussian \f$ \phi(r) = e^{-(r/w)^2} \f$ with the width \f$ w \f$, positive definite.
 
@@ -121,6 +122,7 @@ public:
   static constexpr unsigned int order = 0;
   static constexpr double sign = 1;
 
+  /// \brief the kernel with a width
   /// \param width the shape parameter \f$ w \f$
   /// \param unit that of the width
   /// \throw std::invalid_argument unless it is finite and positive
@@ -151,7 +153,7 @@ private:
 };
 
 /*!
-\ingroup PkgAnisotropicHdeRemeshingRef
+\ingroup PkgAnisotropicHdeRemeshingKernels
 
 The multiquadric \f$ \phi(r) = \sqrt{1 + (r/w)^2} \f$ with the width \f$ w \f$; \f$ -\phi \f$ is conditionally positive
 definite of order 1.
@@ -162,6 +164,7 @@ public:
   static constexpr unsigned int order = 1;
   static constexpr double sign = -1;
 
+  /// \brief the kernel with a width
   /// \param width the shape parameter \f$ w \f$
   /// \param unit that of the width
   /// \throw std::invalid_argument unless it is finite and positive
@@ -192,7 +195,7 @@ private:
 };
 
 /*!
-\ingroup PkgAnisotropicHdeRemeshingRef
+\ingroup PkgAnisotropicHdeRemeshingKernels
 
 The inverse multiquadric \f$ \phi(r) = 1 / \sqrt{1 + (r/w)^2} \f$ with the width \f$ w \f$, positive definite.
 */
@@ -202,6 +205,7 @@ public:
   static constexpr unsigned int order = 0;
   static constexpr double sign = 1;
 
+  /// \brief the kernel with a width
   /// \param width the shape parameter \f$ w \f$
   /// \param unit that of the width
   /// \throw std::invalid_argument unless it is finite and positive
@@ -232,7 +236,7 @@ private:
 };
 
 /*!
-\ingroup PkgAnisotropicHdeRemeshingRef
+\ingroup PkgAnisotropicHdeRemeshingKernels
 
 Wendland's functions, positive definite, `smoothness` times continuously differentiable and zero beyond the support radius
 \f$ R \f$. With \f$ t = r/R \f$ they are
@@ -255,6 +259,7 @@ public:
   static constexpr unsigned int order = 0;
   static constexpr double sign = 1;
 
+  /// \brief the kernel with a radius of its support
   /// \param support_radius the shape parameter \f$ R \f$
   /// \param unit that of the radius
   /// \throw std::invalid_argument unless it is finite and positive
@@ -303,13 +308,13 @@ private:
   Anisotropic_hde_remeshing::internal::Rbf_shape_parameter m_radius;
 };
 
-/// \ingroup PkgAnisotropicHdeRemeshingRef
+/// \ingroup PkgAnisotropicHdeRemeshingKernels
 /// \f$ (1 - t)_+^4 (4t + 1) \f$
 typedef Wendland_rbf<2> Wendland_C2_rbf;
-/// \ingroup PkgAnisotropicHdeRemeshingRef
+/// \ingroup PkgAnisotropicHdeRemeshingKernels
 /// \f$ (1 - t)_+^6 (35t^2 + 18t + 3) \f$
 typedef Wendland_rbf<4> Wendland_C4_rbf;
-/// \ingroup PkgAnisotropicHdeRemeshingRef
+/// \ingroup PkgAnisotropicHdeRemeshingKernels
 /// \f$ (1 - t)_+^8 (32t^3 + 25t^2 + 8t + 1) \f$
 typedef Wendland_rbf<6> Wendland_C6_rbf;
 

@@ -38,7 +38,7 @@
 namespace CGAL {
 
 /*!
-\ingroup PkgAnisotropicHdeRemeshingRef
+\ingroup PkgAnisotropicHdeRemeshingImplicit
 
 A signed function by radial basis functions. Its zero set is a smooth surface through the vertices of a triangle mesh, or
 through points with normals. The function is negative inside and grows outward. Near the surface it is close to the signed
@@ -49,67 +49,68 @@ The points are distributed over patches that overlap. Each patch interpolates th
 weights that sum to one blend them into one function. It is twice continuously differentiable with `Polyharmonic_rbf`.
 
 <b>Adapted meshes.</b> Simplification adapts a mesh to the shape: it puts vertices off the surface, so that the facets are on it
-in the mean. There four points of each facet stand for the vertices: the centre, with the normal of the facet, and those halfway
-from it to the vertices, without a normal. They have a variance on the diagonal of the system, in proportion to what the kernel
-varies by over their spacing, so the surface passes near them. A mesh is taken for adapted at a vertex if among some ten rings
-around more than half of the vertices are at an edge longer than 2.5 times the size there (below), and along more than a quarter
-of the edges that are not flat the normals at both ends tell no arc. So even meshes, and exact samples of smooth surfaces, are
-interpolated at their vertices. So are the boundary, and all vertices if `vertex_normal_map` is given. It takes one to three
-times the time to build.
+in the mean. There four points of each facet replace the vertices: the centre, with the normal of the facet, and the points
+halfway from it to the vertices, without a normal. These points have a variance on the diagonal of the system, in proportion to
+the variation of the kernel over their spacing. So the surface passes near them. A mesh counts as adapted at a vertex under two
+conditions on the vertices of some ten rings around it. More than half of them are at an edge longer than 2.5 times the size
+there (see below). And along more than a quarter of the edges that are not flat, the normals at both ends do not fit an arc. So
+even meshes, and exact samples of smooth surfaces, are interpolated at their vertices. So are the boundary, and all vertices if
+`vertex_normal_map` is given. The construction takes one to three times as long.
 
-<b>On facets.</b> Where long facets meet short ones elsewhere, or large ones small ones, as in meshes of CAD programs, a smooth
-surface through the vertices alone swells between them. There the function interpolates points on facets, too: the middles of
-edges that are longer than 2.5 times the size there, the longest first, if no point is near. The size is between the least and
-the mean altitude of the facets around. It grows by at most half of the way from a smaller one, and less where the surface
-bends. The normals of these points are those of the facets. A point is off its facet only where the normals at the vertices tell
-a bend: if they turn little, and alike at both ends of each edge. A mesh whose triangles are all about alike gets none of these
-points, and at most four are added for a vertex, but for adapted meshes.
+<b>Points on facets.</b> In meshes of CAD programs long facets meet short ones, and large ones small ones. A smooth surface
+through the vertices alone swells between them. There the function also interpolates points on facets: the middles of edges that
+are longer than 2.5 times the size there, the longest first, if no point is near. The size is between the least and the mean
+altitude of the facets around. It grows by at most half of the way from a smaller one, and less where the surface bends. The
+normals of these points are those of the facets. A point is off its facet only if the normals at the vertices indicate a bend:
+they turn little, and alike at both ends of each edge. A mesh whose triangles are all about alike gets none of these points. At
+most four points are added for a vertex, except in adapted meshes.
 
-<b>Edges.</b> Where facets turn by more than a radian, 57 degrees, across an edge, the surface is not smooth at its own sampling: it
-would have to bend as sharply as a facet is wide. A normal between those of the facets would make it swell on both sides. So
+<b>Edges.</b> Where facets turn by more than a radian, 57 degrees, across an edge, the surface is not smooth at its own sampling:
+it would have to bend as sharply as a facet is wide. A normal between those of the facets would make it swell on both sides. So
 vertices and points there have no off-surface points, unless `vertex_normal_map` is given. The surface still rounds the edge off,
-within a facet or two. `Piecewise_rbf_implicit_function` keeps it.
+within a facet or two. `Piecewise_rbf_implicit_function` keeps the edge.
 
-<b>Check of the facets.</b> In the end the function is checked at the centre of each facet and at the middle of each edge. With the spacing h there, its value
-must be at most twice the sum of h/10 and the rise of an arc of up to 2 h that has the normals at the vertices, and is no steeper
-at its ends than 17 degrees. Where it is not,
-points are added there, and the patches around are solved again, twice at most. Where it still is not, the signed distance to the
-facets answers for the patch, as below. With `smoothing` there are no such points and there is no such check, as vertices and facets
-are uncertain. `diagnostics()` counts all of this.
+<b>Check of the facets.</b> In the end the function is checked at the centre of each facet and at the middle of each edge. Let h be
+the spacing there. The value may be at most twice the sum of h/10 and the rise of an arc. The arc has the normals at the vertices,
+is at most 2 h long, and is at most 17 degrees steep at its ends. Where the value is larger, points are added, and the patches
+around are solved again, twice at most. If this fails, the signed distance to the facets replaces the function of the patch, as
+described below. With `smoothing` there are no such points and no such check, as vertices and facets are uncertain.
+`diagnostics()` counts all of this.
 
-<b>Noise.</b> With `smoothing` the function need not meet the points: it is the most likely one, if the points are off the surface by
-noise of that standard deviation. In each patch the heights of the points over a plane tell how much the surface bends (restricted
-maximum likelihood). A point and its off-surface points are off by the same error. So small offsets still tell the slope, and normals need
-not be exact. `AUTOMATIC_SMOOTHING` estimates the noise from the heights in at most 400 patches, and takes the median. Exact data come out
-as 0 and are interpolated, as do data with noise of less than 1/200 of the spacing. On smooth shapes with Gaussian noise of .03 to .5
-spacings the estimate is 0 to 12% too large. Detail that is finer than a few spacings counts as noise, as on a mesh that was simplified.
+<b>Noise.</b> With `smoothing` the function need not meet the points. It is the most likely one if the points are off the surface
+by noise of that standard deviation. In each patch the heights of the points over a plane tell how much the surface bends
+(restricted maximum likelihood). A point and its off-surface points are off by the same error. So small offsets still tell the
+slope, and normals need not be exact. `AUTOMATIC_SMOOTHING` estimates the noise from the heights in at most 400 patches, and takes
+the median. For exact data the estimate is 0, and the data are interpolated. So are data with noise of less than 1/200 of the
+spacing. On smooth shapes with Gaussian noise of .03 to .5 spacings the estimate is 0 to 12% too large. Detail that is finer than
+a few spacings counts as noise, as on a mesh that was simplified.
 
-<b>Outliers.</b> With `detect_outliers` a point of a range is left out if it is off the tangent planes of all but two of its 12 nearest
-neighbours, by more than a fifth of the spacing and more than four times what nine tenths of the points are. A normal is turned if its neighbours
-agree on about the opposite one, and dropped if it is more than 60 degrees off theirs. Smooth shapes, sharp edges and tips are left as they are;
-of shapes with detail as fine as the spacing, up to 1 in 200 points was lost. More than a tenth of the points are never taken
-for outliers, nor more than a tenth of the normals for wrong ones.
+<b>Outliers.</b> With `detect_outliers` a point of a range is left out if it is off the tangent planes of all but two of its 12
+nearest neighbours. It must be off by more than a fifth of the spacing, and by more than four times the distance that nine tenths
+of the points keep. A normal is turned if its neighbours agree on about the opposite one. It is dropped if it is more than 60
+degrees off theirs. Smooth shapes, sharp edges and tips are left as they are. Of shapes with detail as fine as the spacing, up to 1
+in 200 points was lost. At most a tenth of the points count as outliers, and at most a tenth of the normals as wrong.
 
-<b>Holes.</b> Where points are missing over more than about six spacings, or a mesh has a hole as wide, the function is closed: it is positive
-on the `bounding_sphere()` and beyond, so the zero set is bounded. Within a spacing or two of the data, and wherever they are nearer than
-half the distance to the rim of a hole, nothing is changed. Further away the function passes to a smooth one from a few hundred well-spread
-points, so the surface goes on smoothly from the rims. Around the whole it is positive, and negative where most directions look at the
-inside of the surface. `distance_to_data()` tells how far a place is from the data. Data without a hole are not touched.
-See `close_holes`. The time of an evaluation grows by 3 to 6 microseconds.
+<b>Holes.</b> Points may be missing over more than about six spacings, or a mesh may have a hole as wide. Then the function is
+closed: it is positive on the `bounding_sphere()` and beyond, so the zero set is bounded. Nothing is changed within a spacing or
+two of the data, nor where the data are nearer than half the distance to the rim of a hole. Further away the function passes to a
+smooth one from a few hundred well-spread points, so the surface continues smoothly from the rims. This function is positive around
+the whole, and negative where most directions look at the inside of the surface. `distance_to_data()` tells how far a place is from
+the data. Data without a hole are not changed. See `close_holes`. An evaluation takes 3 to 6 microseconds longer.
 
-<b>Near and far.</b> From 2.5 to 3.5 local spacings away from the points the function passes to the signed distance to the input
-itself: to the facets of a mesh, or to the tangent planes of the nearest points. Interpolants would only extrapolate there, and
-might vanish where there is no surface. So the sign is right everywhere for a closed mesh that does not intersect itself, and
-mesh generators of CGAL can use the function. The far part is continuous where the distance is. Its gradient is not continuous
-at points that are equally far from two parts of the surface. Its Hessian is zero, not that of a distance.
+<b>Near and far.</b> From 2.5 to 3.5 local spacings away from the points the function passes to the signed distance to the input:
+to the facets of a mesh, or to the tangent planes of the nearest points. Interpolants would only extrapolate there, and might
+vanish where there is no surface. So the sign is right everywhere for a closed mesh that does not intersect itself, and mesh
+generators of CGAL can use the function. The far part is continuous where the distance is. Its gradient is not continuous at
+points that are equally far from two parts of the surface. Its Hessian is zero, not that of a distance.
 
 <b>Self-check.</b> After a patch is solved, its function is checked around its facets, or around its points if the input is a
-range. The sign is checked at a quarter to twice the local spacing, the gradient and the distance of the zero set at the facets
-or points. If there is noise, the sides of a point are those of the zero set near it. A patch that fails in at most a tenth of its checks
-is solved again: with smaller offsets, with a little smoothing, and with both smoothing and a wider view. A solution is kept if it at least halves the number of failures. A patch may still fail in more
-than a twentieth of its checks, where sampling is too coarse for the shape. There the function is the signed distance to the input,
-with a gradient along the interpolated normals of the input, blended with the neighbouring patches. `diagnostics()` counts these
-patches.
+range. The sign is checked at a quarter to twice the local spacing, the gradient and the distance of the zero set at the facets or
+points. If there is noise, the sides of a point are those of the zero set near it. A patch that fails in at most a tenth of its
+checks is solved again: with smaller offsets, with a little smoothing, and with both smoothing and a wider view. A solution is kept
+if it at least halves the number of failures. A patch may still fail in more than a twentieth of its checks, where sampling is too
+coarse for the shape. There the function is the signed distance to the input, with a gradient along the interpolated normals of the
+input, blended with the neighbouring patches. `diagnostics()` counts these patches.
 
 Copies are cheap: they share the data, which never change. A function that is moved is copied: it can still be used. All members
 are thread-safe. The function does not depend on the number of threads that built it.
@@ -119,8 +120,8 @@ evaluation depends on the number of points only by the depth of the tree of patc
 
 \tparam GeomTraits a kernel; computations are in `double` whatever its number type
 \tparam RadialFunction a model of `RadialBasisFunction`, such as `Polyharmonic_rbf`
-\tparam ConcurrencyTag `Sequential_tag` (the default), `Parallel_tag` or `Parallel_if_available_tag`: how the function is built. With
-        the latter two, `RadialFunction` is called from several threads at once. The result is the same.
+\tparam ConcurrencyTag `Sequential_tag` (the default), `Parallel_tag` or `Parallel_if_available_tag`: how the function is built.
+       With the latter two, `RadialFunction` is called from several threads at once. The result is the same.
 
 \cgalModels `ImplicitFunctionWithGradient`, and with it `ImplicitFunction`
 */
@@ -195,14 +196,15 @@ public:
     \cgalParamNBegin{smoothing}
       \cgalParamDescription{the standard deviation of the noise of the points, in the unit of the coordinates, or
                             `Anisotropic_hde_remeshing::AUTOMATIC_SMOOTHING`: it is estimated. 0 interpolates.
-                            `Rbf_diagnostics::noise` tells the estimate, `Rbf_diagnostics::worst_value_residual` by how much the
-                            function misses the data.}
+                            `Rbf_diagnostics::noise` is the estimate. `Rbf_diagnostics::worst_value_residual` is the
+                            largest difference between the function and the data.}
       \cgalParamType{a number that is finite and not negative, or `Anisotropic_hde_remeshing::Smoothing`}
       \cgalParamDefault{0}
     \cgalParamNEnd
     \cgalParamNBegin{points_on_facets}
-      \cgalParamDescription{if `input` is a mesh: whether points on facets count, too, where these are large for what is around
-                            them, or the mesh is adapted to the shape, and to check the function on all facets}
+      \cgalParamDescription{if `input` is a mesh: whether to add points on facets that are large for their surroundings, to
+                            replace vertices by points on facets where the mesh is adapted to the shape, and to check the
+                            function on all facets}
       \cgalParamType{Boolean}
       \cgalParamDefault{`true`, but without effect if there is noise}
     \cgalParamNEnd
@@ -219,7 +221,7 @@ public:
       \cgalParamDefault{`false`}
     \cgalParamNEnd
     \cgalParamNBegin{close_holes}
-      \cgalParamDescription{whether the function is closed where data are missing. If it is not, it goes on along the last tangent
+      \cgalParamDescription{whether the function is closed where data are missing. Otherwise it continues along the last tangent
                             planes, and the zero set may have no end.}
       \cgalParamType{Boolean}
       \cgalParamDefault{`true`}
@@ -230,7 +232,7 @@ public:
     \cgalParamNEnd
     \cgalParamNBegin{visitor}
       \cgalParamDescription{its `go_further()` is asked every few milliseconds, and may stop the construction. Its `progress()`
-                            is told the share of the construction that is done, from 0 to 1, at least four times.}
+                            gets the share of the construction that is done, from 0 to 1, at least four times.}
       \cgalParamType{a model of `RemeshingVisitor`}
       \cgalParamDefault{`Anisotropic_hde_remeshing::Remeshing_visitor`}
     \cgalParamNEnd
@@ -240,8 +242,12 @@ public:
   \throw std::invalid_argument if there are no points, a coordinate is not finite, all normals are zero, or a parameter is out
          of its range; the message names it
   */
+#ifdef DOXYGEN_RUNNING
+  template <typename MeshOrPointRange, typename NamedParameters = parameters::Default_named_parameters>
+#else
   template <typename MeshOrPointRange, typename NamedParameters = parameters::Default_named_parameters,
             typename = std::enable_if_t<!std::is_base_of<Rbf_implicit_function, MeshOrPointRange>::value>>
+#endif
   explicit Rbf_implicit_function(const MeshOrPointRange& input, const NamedParameters& np = parameters::default_values())
   {
     if constexpr (Anisotropic_hde_remeshing::internal::accepts_input_of_function<RadialFunction, MeshOrPointRange,
@@ -263,7 +269,7 @@ public:
   /// the gradient at `p`, outward, of length close to 1 near the surface
   Vector_3 gradient(const Point_3& p) const { return to_vector_3(evaluate<1>(p).gradient); }
 
-  /// both, in the time of one
+  /// the value and the gradient at `p`, in the time of one
   std::pair<FT, Vector_3> value_and_gradient(const Point_3& p) const
   {
     const Jet<1> jet = evaluate<1>(p);

@@ -25,10 +25,11 @@
 namespace CGAL {
 
 /*!
-\ingroup PkgAnisotropicHdeRemeshingRef
+\ingroup PkgAnisotropicHdeRemeshingFunctions
 
-remeshes a triangle mesh so that it becomes uniform and isotropic in the embedding \f$ (x, \sigma n(x)) \f$ in \f$ R^6 \f$. In
-space, the mesh is then adapted to the curvature and stretched along the directions of low curvature. The operations are splits,
+remeshes a triangle mesh so that it becomes uniform and isotropic in the embedding \f$ (x, \sigma n(x)) \f$ in \f$ R^6 \f$.
+
+In space, the mesh is then adapted to the curvature and stretched along the directions of low curvature. The operations are splits,
 contractions and flips of edges, and smoothing of vertices. Every vertex inside the surface is put on the zero set of
 `function`. The boundary edges, the constrained edges and the edges between patches form polylines in the input. Vertices of
 these edges stay on the polylines. The ends, the branchings and the turns of more than 60 degrees of the polylines are kept. A
@@ -36,7 +37,7 @@ closed polyline keeps at least 0.85 of its length. With `project_borders`, bound
 
 One smooth function rounds sharp edges that are not constrained. A piecewise function has a smooth piece for each region of the
 surface. The edges between two regions are the creases. They are kept:
-- A face sees its vertices with the normals of its own region. A vertex on a crease has one normal for each region there.
+- A face uses the normals of its own region at its vertices. A vertex on a crease has one normal for each region there.
 - Creases are split, contracted and smoothed along themselves. An edge on a crease has a 6D length on each side; the larger one
   counts. No other operation crosses a crease.
 - New and moved vertices of a crease are on the polyline of the input. There is one exception: places where the polyline goes
@@ -44,18 +45,19 @@ surface. The edges between two regions are the creases. They are kept:
   There these vertices are put where the zero sets meet. They leave the polyline by at most twice the height of the arc over it,
   and at most 5e-4 of the diagonal of the bounding box.
 - Corners do not move. They are the ends, branchings and turns mentioned above.
-- If there are creases, the edges on curves follow these curves closely. An edge stands for a part of a curve. No point of this
-  part is further than 5e-5 of the diagonal of the bounding box from the straight way between the ends of the part.
+- If there are creases, the edges on curves follow these curves closely. Each edge replaces a part of a curve of the input. No
+  point of this part is further than 5e-5 of the diagonal of the bounding box from the edge.
 
 The following holds for any orientable manifold triangle mesh, any finite parameters and any number of threads. Anything else is
 refused before `tmesh` is touched.
 - The call ends. The result is valid, manifold and consistently oriented. It has the components, the boundary loops and the
   Euler characteristic of the input.
-- No face is folded: none looks against the normals at its vertices, unless it replaces a face that did so more, or a flat face.
-  There are no more edges over which two faces turn by more than 143 degrees than there were before. No face becomes degenerate.
+- No face is folded. A face is folded if it looks against the normals at its vertices. There is one exception: a face may be folded
+  if it replaces a flat face, or a face that was folded more. There are not more edges than before over which two faces turn by more
+  than 143 degrees. No face becomes degenerate.
 - Vertices that are not on the zero set are counted in the result.
-- No more pairs of faces intersect than before: none, if the input had none. Both numbers are in the result. This does not hold with
-  `do_self_intersection_tests(false)`, nor where the coordinates are not of `double` and are rounded.
+- No more pairs of faces intersect than before. If the input had none, the result has none. Both numbers are in the result. This
+  does not hold with `do_self_intersection_tests(false)`, nor where the coordinates are not of `double` and are rounded.
 - The result does not depend on the number of threads.
 - If an exception is thrown, `tmesh` is as it was before. So are the values of the property maps at its elements, except those
   of `vertex_location_map`. Property maps that `tmesh` itself keeps are written when nothing can fail any more. Other maps may
@@ -121,10 +123,10 @@ locations are in a map that it does not keep itself.
     \cgalParamDefault{none}
   \cgalParamNEnd
   \cgalParamNBegin{gradation}
-    \cgalParamDescription{how much the sizes of `sizing_field` may grow on a way, over the length of the way. The size at a vertex of
-                          the input is at most that at any other one plus `gradation` times the way along the edges of the input.
-                          A function is asked at the vertices for that; elsewhere, it counts as it is where it is less than what
-                          the vertices allow. So a mesh that is too coarse for the function limits it less.}
+    \cgalParamDescription{how much the sizes of `sizing_field` may grow along a path, over the length of the path. The size at a
+                          vertex of the input is at most that at any other one plus `gradation` times the shortest path along the
+                          edges. For this a function is evaluated at the vertices. Between the vertices its own value counts where
+                          it is less than what the vertices allow. So a mesh that is too coarse for the function limits it less.}
     \cgalParamType{a number, positive; 0.2 to 0.5 is good}
     \cgalParamDefault{sizes grow as the field has it}
   \cgalParamNEnd
@@ -148,11 +150,11 @@ locations are in a map that it does not keep itself.
                           gets about as few faces as this takes. It gets at most `number_of_target_faces` if that is given, too.
                           If neither a function nor an embedding is given, it is the distance between the mesh and the facets of
                           the input, both ways, outlines included, and the mesh gets no more faces than the input. Otherwise it is
-                          that from the faces to the zero set, measured at the points of a grid on every face; between the points,
-                          second differences bound it; faces are split until the bound holds or they are hopelessly small; faces at
-                          boundary and constrained curves may be further away, by as much as these curves are away from the
-                          surface. What came of it is in `Anisotropic_hde_remeshing::Remeshing_result::approximation_error`.
-                          Excludes a target length.}
+                          the distance from the faces to the zero set. It is measured at the points of a grid on every face.
+                          Between the points, second differences bound it. Faces are split until the bound holds, or until they are
+                          too small to be split. Faces at boundary and constrained curves may be further away, by as much as these
+                          curves are away from the surface. The bound that was reached is in
+                          `Anisotropic_hde_remeshing::Remeshing_result::approximation_error`. Excludes a target length.}
     \cgalParamType{a number, positive}
     \cgalParamDefault{none}
   \cgalParamNEnd
@@ -166,48 +168,50 @@ locations are in a map that it does not keep itself.
                           the squared distance between faces and surface is least. Where the surface is curved to one side, the
                           root mean square of the distance falls to about a quarter. Vertices of curves and fixed vertices
                           stay. By measured error, vertices are off the surface anyway. Then this asks for the least distance:
-                          more iterations, and hardly a price of long triangles.}
+                          there are more iterations, and long triangles cost hardly anything.}
     \cgalParamType{bool}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{shape_weight}
-    \cgalParamDescription{by measured error only: what the shape of a face costs. A ratio of its longest edge to the altitude over it
-                          costs nothing up to 4, and `shape_weight` mean errors of a face for each 4 more, up to six times as much.
-                          With 0, triangles are as long as the distance wants them; large weights make them rounder, and the distance
-                          larger.}
+    \cgalParamDescription{by measured error only: the cost of a long face. The ratio of its longest edge to the altitude over it
+                          costs nothing up to 4. Each 4 more cost `shape_weight` mean errors of a face, up to six times as much.
+                          With 0, triangles are as long as is best for the distance. Large weights make them rounder, and the
+                          distance larger.}
     \cgalParamType{a number, 0 or more}
     \cgalParamDefault{2; 0.1 with `fit_to_surface`}
   \cgalParamNEnd
   \cgalParamNBegin{aspect_ratio_bound}
-    \cgalParamDescription{by measured error only: the ratio of the longest edge to the altitude over it that faces shall not exceed, for
-                          meshes to compute on. No operation leaves a face beyond it that was not, and faces beyond it are dear. Faces
-                          that cannot be better, as between creases and beside constrained edges, stay, and
-                          `Anisotropic_hde_remeshing::Remeshing_result::number_of_faces_beyond_aspect_ratio` counts them, by any
-                          scheme.}
+    \cgalParamDescription{by measured error only: the largest ratio of the longest edge to the altitude over it, for meshes to
+                          compute on. No operation makes a face exceed it, and faces beyond it are expensive. Some faces cannot be
+                          better, for example between creases and beside constrained edges. They stay.
+                          `Anisotropic_hde_remeshing::Remeshing_result::number_of_faces_beyond_aspect_ratio` counts them, in all
+                          schemes.}
     \cgalParamType{a number, 1.2 or more; an equilateral triangle has 1.15}
     \cgalParamDefault{none}
   \cgalParamNEnd
   \cgalParamNBegin{project_borders}
-    \cgalParamDescription{whether the vertices of the boundary are put on the zero set, too. Otherwise they stay on the boundary of the
-                          input, which is off the surface by the height of its edges, or as far as the input is. A vertex goes
-                          from the polyline to the zero set in the plane of the boundary there, the plane of three edges in a row,
-                          so a boundary that a plane has cut stays in this plane. Where the boundary is straight, or the zero set is
-                          nearly parallel to that plane, by less than 10 degrees, the vertex goes perpendicular to the boundary.
-                          Corners, that is turns of more than 60 degrees and places where the boundary goes from one plane into
-                          another by more than 30 degrees, go along the line where both planes meet. No vertex goes further than
-                          half of an edge of the boundary. Those that do not reach the zero set so stay, and are counted in
-                          `Anisotropic_hde_remeshing::Remeshing_result::number_of_unprojected_vertices`. Constrained vertices,
-                          protected boundaries, the ends of other curves at the boundary, and the border of a range of faces stay
-                          anyway. By measured error there is no zero set: without a function, this asks for one.}
+    \cgalParamDescription{whether the vertices of the boundary are put on the zero set, too. Otherwise they stay on the boundary
+                          of the input, which is off the surface by the height of its edges, or as far as the input is. A vertex
+                          goes from the polyline to the zero set in the plane of the boundary there, the plane of three edges in a
+                          row, so a boundary that a plane has cut stays in this plane. Where the boundary is straight, or the zero
+                          set is nearly parallel to that plane, by less than 10 degrees, the vertex goes perpendicular to the
+                          boundary. Corners, that is turns of more than 60 degrees and places where the boundary goes from one
+                          plane into another by more than 30 degrees, go along the line where both planes meet. No vertex goes
+                          further than half of an edge of the boundary. Vertices that do not reach the zero set in this way stay.
+                          They are counted in `Anisotropic_hde_remeshing::Remeshing_result::number_of_unprojected_vertices`.
+                          Constrained vertices, protected boundaries, the ends of other curves at the boundary, and the border of
+                          a range of faces stay in any case. By measured error there is no zero set. If this is `true`, a function
+                          is built.}
     \cgalParamType{bool}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_iterations}
-    \cgalParamDescription{how often the sequence of operations is done. With 0, the vertices are only projected, or the mesh is only
-                          coarsened if the measured error leads. If an error is
-                          asked for, it is measured then, but the mesh is not refined.}
+    \cgalParamDescription{how often the sequence of operations is done. With 0, the vertices are only projected. By measured
+                          error, the mesh is only coarsened. If an error is asked for, it is measured, but the mesh is not
+                          refined.}
     \cgalParamType{an integer from 0 to 1,000,000}
-    \cgalParamDefault{10; by measured error 4, with an error that is asked for 6, or 0 for more faces than there are, which are on the input after the splits}
+    \cgalParamDefault{10; by measured error 4, with an error that is asked for 6, and 0 if more faces are asked for than there
+                      are: after the splits they are on the input}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_relaxation_steps}
     \cgalParamDescription{how often an iteration smooths; not used by the scheme of the paper}
@@ -271,7 +275,7 @@ locations are in a map that it does not keep itself.
   \cgalParamNEnd
   \cgalParamNBegin{do_split}
     \cgalParamDescription{whether edges are split. If this or one of the next two is `false`, the number of faces or the error asked
-                          for may be out of reach, and the measured error does not lead.}
+                          for may be out of reach, and the default scheme is not the measured error.}
     \cgalParamType{bool}
     \cgalParamDefault{`true`}
   \cgalParamNEnd
@@ -287,24 +291,25 @@ locations are in a map that it does not keep itself.
   \cgalParamNEnd
   \cgalParamNBegin{do_self_intersection_tests}
     \cgalParamDescription{whether operations are refused that would let more pairs of faces of `tmesh` intersect. Operations are
-                          tested where two sheets of the input are as near to each other as the faces may be from the surface. In the
-                          end all faces are tested. If pairs have come where none were expected, the remeshing begins anew, with its stages for the visitor, and
-                          tests there, too. Without such places the tests cost a few per cent, where all of the mesh is such a place up to
-                          as much as the remeshing.}
+                          tested where two sheets of the input are as near to each other as the faces may be from the surface. In
+                          the end all faces are tested. If pairs intersect where none were expected, the remeshing begins anew,
+                          with its stages for the visitor, and tests there, too. If there are no near sheets, the tests cost a few
+                          per cent. If all of the mesh has near sheets, they cost up to as much as the remeshing.}
     \cgalParamType{bool}
     \cgalParamDefault{`true`}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_location_map}
-    \cgalParamDescription{is set to the closest point of the input for every vertex of the result, also for those that are not
-                          remeshed, and if the mesh stays as it was. A vertex that stays comes from itself. An isolated one that
-                          stays comes from no face: `Anisotropic_hde_remeshing::Input_location::no_face`. See
+    \cgalParamDescription{is set to the closest point of the input for every vertex of the result. It is also set for vertices
+                          that are not remeshed, and if the mesh stays as it was. The location of a vertex that stays is this
+                          vertex. An isolated vertex that stays is on no face:
+                          `Anisotropic_hde_remeshing::Input_location::no_face`. See
                           `Anisotropic_hde_remeshing::transfer_vertex_property()`}
     \cgalParamType{a model of `WritablePropertyMap` with the vertices of `tmesh` as keys and
                    `Anisotropic_hde_remeshing::Input_location` as values}
     \cgalParamDefault{not computed}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{hears of the progress and may stop the remeshing}
+    \cgalParamDescription{learns of the progress and may stop the remeshing}
     \cgalParamType{a model of `RemeshingVisitor`}
     \cgalParamDefault{`Anisotropic_hde_remeshing::Remeshing_visitor`}
   \cgalParamNEnd
@@ -325,10 +330,15 @@ locations are in a map that it does not keep itself.
 
 \sa `Anisotropic_hde_remeshing::detect_surface_regions()`
 */
+#ifdef DOXYGEN_RUNNING
+template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename Function,
+          typename NamedParameters = parameters::Default_named_parameters>
+#else
 template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename Function,
           typename NamedParameters = parameters::Default_named_parameters,
           typename = std::enable_if_t<!Anisotropic_hde_remeshing::internal::is_face_range<TriangleMesh> &&
                                       !Anisotropic_hde_remeshing::internal::is_named_parameters<Function>>>
+#endif
 Anisotropic_hde_remeshing::Remeshing_result anisotropic_hde_remeshing(TriangleMesh& tmesh, const Function& function,
                                                                       const NamedParameters& np = parameters::default_values())
 {
@@ -337,29 +347,34 @@ Anisotropic_hde_remeshing::Remeshing_result anisotropic_hde_remeshing(TriangleMe
 }
 
 /*!
-\ingroup PkgAnisotropicHdeRemeshingRef
+\ingroup PkgAnisotropicHdeRemeshingFunctions
 
-the same without a function.
+remeshes a triangle mesh without a function of the caller's.
 
-If only a number of faces is asked for, and it is at most three quarters of that of the mesh, the mesh is remeshed by measured
-error (`Anisotropic_hde_remeshing::Remeshing_scheme::MEASURED_ERROR`): its facets are the surface, and no function is built. So it is
-for any number if the facets are those of a CAD program: if more than a quarter of the area is in faces whose longest edge is more
-than eight times the altitude over it, or in long facets of several faces, as those of a cylinder of few sides; or if hardly any edge
-turns by little, and half of the area is in such facets and in large ones, as of a block. Only here, `sigma`, `target_edge_length` and
-the counters of projections in the result are 0.
+The default scheme is `Anisotropic_hde_remeshing::Remeshing_scheme::MEASURED_ERROR` in two cases. The facets of the mesh are then
+the surface, and no function is built.
+- Only a number of faces is asked for, and it is at most three quarters of that of the mesh; or only an error is asked for.
+- Only a number of faces is asked for, whichever it is, and the facets are those of a CAD program. They count as such if more than a
+  quarter of the area is in faces whose longest edge is more than eight times the altitude over it. They also count if more than a
+  quarter of the area is in long facets of several faces, as those of a cylinder of few sides. And they count if hardly any edge
+  turns by little, and half of the area is in such facets and in large ones, as of a block.
+
+By measured error, `sigma`, `target_edge_length` and the counters of projections in the result are 0.
 
 Otherwise the surface is the smooth one that `Rbf_implicit_function` lays through the vertices of the mesh. The named parameters of
 `Rbf_implicit_function` may be given, too: `number_of_patches`, `patch_overlap`, `offset_distance`, `vertex_normal_map` and
-`radial_function`. The type of `radial_function` selects the kernel. If the facets are those of a CAD program, and none of these, of
-`smoothing`, `points_on_facets`, `detect_edges` or `Remeshing_scheme::PAPER` is given, the surface is that of the facets.
+`radial_function`. The type of `radial_function` selects the kernel.
 
-An embedding or a length keeps to such facets, with `sharp_angle` (then whatever is given of the function, but for `smoothing`) or without
-it, if neither an error nor `sizing_field` is given: each facet is a region, the edges between facets are creases, and nothing is lost.
-Without `sharp_angle` it does not if `edge_is_constrained_map` is given. If the number of faces asked for cannot be met so, as the
-facets are too many or too narrow for it, the remeshing goes by measured error, without the embedding, unless
-`Remeshing_scheme::EMBEDDING` is asked for: then it is uniform in the embedding, the vertices are on the facets, and edges cut across
-those between facets. So it does where no number is asked for, and with a length where the facets have more corners than the mesh would
-have vertices.
+The facets of a CAD program are the surface, however, unless one of these parameters, `smoothing`, `points_on_facets`,
+`detect_edges` or `Remeshing_scheme::PAPER` is given. An embedding or a length then keeps the facets:
+- Each facet is a region, the edges between facets are creases, and nothing is lost. With `sharp_angle`, this is so whatever
+  parameters of the function are given, except `smoothing`. It is not so if an error or `sizing_field` is given, nor, without
+  `sharp_angle`, if `edge_is_constrained_map` is given.
+- The facets may be too many or too narrow for the number of faces that is asked for. Then the remeshing goes by measured error,
+  without the embedding.
+- With `Remeshing_scheme::EMBEDDING`, the mesh is uniform in the embedding in that case. The vertices are on the facets, and edges
+  cut across those between facets. The same holds if no number is asked for, and for a length if the facets have more corners than
+  the mesh would have vertices.
 
 With `sharp_angle`, the surface is smooth between its creases only. `Anisotropic_hde_remeshing::detect_surface_regions()` finds
 the creases. The surface is that of `Piecewise_rbf_implicit_function`, and `vertex_normal_map` is not used.
@@ -386,18 +401,23 @@ constrained edges and patches leave the surface smooth.
 
 \throw std::invalid_argument as above, and if a parameter of the function or `sharp_angle` is out of its range
 */
+#ifdef DOXYGEN_RUNNING
+template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename NamedParameters>
+Anisotropic_hde_remeshing::Remeshing_result anisotropic_hde_remeshing(TriangleMesh& tmesh, const NamedParameters& np)
+#else
 template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename T, typename Tag, typename Base>
 Anisotropic_hde_remeshing::Remeshing_result anisotropic_hde_remeshing(TriangleMesh& tmesh,
                                                                       const Named_function_parameters<T, Tag, Base>& np)
+#endif
 {
   namespace internal = Anisotropic_hde_remeshing::internal;
   return internal::remesh_on_built_surface<std::remove_cv_t<ConcurrencyTag>>(internal::Whole_mesh(), tmesh, np);
 }
 
 /*!
-\ingroup PkgAnisotropicHdeRemeshingRef
+\ingroup PkgAnisotropicHdeRemeshingFunctions
 
-the same with all parameters at their defaults: as many faces as before.
+remeshes a triangle mesh with all parameters at their defaults: the result has as many faces as the mesh.
 */
 template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh>
 Anisotropic_hde_remeshing::Remeshing_result anisotropic_hde_remeshing(TriangleMesh& tmesh)
@@ -406,19 +426,25 @@ Anisotropic_hde_remeshing::Remeshing_result anisotropic_hde_remeshing(TriangleMe
 }
 
 /*!
-\ingroup PkgAnisotropicHdeRemeshingRef
+\ingroup PkgAnisotropicHdeRemeshingFunctions
 
-remeshes some faces of a mesh only. All else is untouched and keeps its descriptors. So do the edges where it meets these faces.
+remeshes some faces of a mesh only. Everything else is untouched and keeps its descriptors. So do the edges at the border of the
+range.
 `number_of_target_faces` counts the faces of the range; relative lengths refer to the whole mesh. If the range is empty, nothing is
 done.
 
 \tparam FaceRange a range of `boost::graph_traits<TriangleMesh>::%face_descriptor`: anything that has a begin and an end, such
         as a container, `CGAL::Iterator_range`, or a span or view of C++20
 */
+#ifdef DOXYGEN_RUNNING
+template <typename ConcurrencyTag = Sequential_tag, typename FaceRange, typename TriangleMesh, typename Function,
+          typename NamedParameters = parameters::Default_named_parameters>
+#else
 template <typename ConcurrencyTag = Sequential_tag, typename FaceRange, typename TriangleMesh, typename Function,
           typename NamedParameters = parameters::Default_named_parameters,
           typename = std::enable_if_t<Anisotropic_hde_remeshing::internal::is_face_range<FaceRange> &&
                                       !Anisotropic_hde_remeshing::internal::is_named_parameters<Function>>>
+#endif
 Anisotropic_hde_remeshing::Remeshing_result anisotropic_hde_remeshing(const FaceRange& faces, TriangleMesh& tmesh,
                                                                       const Function& function,
                                                                       const NamedParameters& np = parameters::default_values())
@@ -429,15 +455,21 @@ Anisotropic_hde_remeshing::Remeshing_result anisotropic_hde_remeshing(const Face
 }
 
 /*!
-\ingroup PkgAnisotropicHdeRemeshingRef
+\ingroup PkgAnisotropicHdeRemeshingFunctions
 
 remeshes some faces of a mesh only, on the smooth surface that `Rbf_implicit_function` lays through the vertices of the whole
 mesh. With `sharp_angle`, the surface is that of `Piecewise_rbf_implicit_function` for the regions of the whole mesh.
 */
+#ifdef DOXYGEN_RUNNING
+template <typename ConcurrencyTag = Sequential_tag, typename FaceRange, typename TriangleMesh, typename NamedParameters>
+Anisotropic_hde_remeshing::Remeshing_result anisotropic_hde_remeshing(const FaceRange& faces, TriangleMesh& tmesh,
+                                                                      const NamedParameters& np)
+#else
 template <typename ConcurrencyTag = Sequential_tag, typename FaceRange, typename TriangleMesh, typename T, typename Tag,
           typename Base, typename = std::enable_if_t<Anisotropic_hde_remeshing::internal::is_face_range<FaceRange>>>
 Anisotropic_hde_remeshing::Remeshing_result anisotropic_hde_remeshing(const FaceRange& faces, TriangleMesh& tmesh,
                                                                       const Named_function_parameters<T, Tag, Base>& np)
+#endif
 {
   namespace internal = Anisotropic_hde_remeshing::internal;
   return internal::remesh_on_built_surface<std::remove_cv_t<ConcurrencyTag>>(internal::Part_of_mesh<FaceRange>{faces}, tmesh,
@@ -445,12 +477,16 @@ Anisotropic_hde_remeshing::Remeshing_result anisotropic_hde_remeshing(const Face
 }
 
 /*!
-\ingroup PkgAnisotropicHdeRemeshingRef
+\ingroup PkgAnisotropicHdeRemeshingFunctions
 
-the same with all parameters at their defaults: as many faces as the range has.
+remeshes some faces of a mesh only, with all parameters at their defaults: the result has as many faces as the range.
 */
+#ifdef DOXYGEN_RUNNING
+template <typename ConcurrencyTag = Sequential_tag, typename FaceRange, typename TriangleMesh>
+#else
 template <typename ConcurrencyTag = Sequential_tag, typename FaceRange, typename TriangleMesh,
           typename = std::enable_if_t<Anisotropic_hde_remeshing::internal::is_face_range<FaceRange>>>
+#endif
 Anisotropic_hde_remeshing::Remeshing_result anisotropic_hde_remeshing(const FaceRange& faces, TriangleMesh& tmesh)
 {
   return anisotropic_hde_remeshing<ConcurrencyTag>(faces, tmesh, parameters::default_values());

@@ -23,28 +23,29 @@
 namespace CGAL {
 
 /*!
-\ingroup PkgAnisotropicHdeRemeshingRef
+\ingroup PkgAnisotropicHdeRemeshingFunctions
 
-makes a triangle mesh of the surface through points with normals. `Rbf_implicit_function` is built from the points. \cgal's surface
-mesher (`make_surface_mesh()`) meshes its zero set. If a parameter of `anisotropic_hde_remeshing()` is given, such as a number of
-faces, the mesh is remeshed on the function then.
+makes a triangle mesh of the surface through points with normals.
 
-- The mesh is an orientable manifold, looks outward, that is along the normals, and is closed, unless `close_holes(false)` is
-  given: then it ends at the `Rbf_implicit_function::bounding_sphere()`.
-- It has all components of the zero set on which points are, if they are further from each other than `facet_size`, and none on
-  which there are no points. The mesher begins on each of them with points that are put on the zero set. Parts of it that are too
-  small for this are counted in `Anisotropic_hde_remeshing::Reconstruction_result::number_of_missed_places`.
-- The vertices are on the zero set, up to 1e-4 of the smaller one of `facet_size` and `facet_distance`, and as
-  `anisotropic_hde_remeshing()` has them if it follows.
-- The mesher ends. On area \f$ A \f$, about that which the points are on, and that of the bounding sphere if holes are closed,
-  \f$ n = 1.155 A / \min(s^2, 2 d h) \f$ vertices have place if facets are of the size \f$ s \f$ and at the distance \f$ d \f$, and
-  nothing bends more sharply than the spacing \f$ h \f$ of the points can tell. The function is evaluated at most
-  \f$ 10^5 + 50 n \f$ times. Clean points take a tenth of that, or less. What takes more, as noise and outliers may do, ends by an
-  exception.
+`Rbf_implicit_function` is built from the points. \cgal's surface mesher (`make_surface_mesh()`) meshes its zero set. If a
+parameter of `anisotropic_hde_remeshing()` is given, such as a number of faces, the mesh is then remeshed on the function.
+
+- The mesh is an orientable manifold. Its faces look outward, that is along the normals. It is closed, unless `close_holes(false)`
+  is given: then it ends at the `Rbf_implicit_function::bounding_sphere()`.
+- The mesh has all components of the zero set on which there are points, if they are further from each other than `facet_size`. It
+  has no component without points. The mesher begins on each component with points that are put on the zero set. Parts that are
+  too small for this are counted in `Anisotropic_hde_remeshing::Reconstruction_result::number_of_missed_places`.
+- The vertices are on the zero set, up to 1e-4 of the smaller one of `facet_size` and `facet_distance`. After a remeshing they are
+  where `anisotropic_hde_remeshing()` puts them.
+- The mesher always ends. Let \f$ A \f$ be the area of the points, and of the bounding sphere if holes are closed. Let \f$ s \f$ be
+  the size of the facets, \f$ d \f$ their distance, and \f$ h \f$ the spacing of the points. If nothing bends more sharply than
+  the spacing can show, there is room for \f$ n = 1.155 A / \min(s^2, 2 d h) \f$ vertices. The function is evaluated at most
+  \f$ 10^5 + 50 n \f$ times. Clean points take a tenth of that, or less. If more evaluations are needed, for example because of
+  noise or outliers, an exception is thrown.
 - The mesh is added to `output_mesh` in the end. If anything is thrown, `output_mesh` is as it was.
 
-The mesher runs in one thread, in time proportional to the number of vertices and the time of an evaluation. All else is parallel if
-`ConcurrencyTag` says so. The result is the same, in the same order.
+The mesher runs in one thread, in time proportional to the number of vertices and the time of an evaluation. The other steps are
+parallel if `ConcurrencyTag` says so. The result is the same, in the same order.
 
 \tparam ConcurrencyTag `Sequential_tag` (the default), `Parallel_tag` or `Parallel_if_available_tag`
 \tparam PointRange a model of `ConstRange`
@@ -101,9 +102,9 @@ The mesher runs in one thread, in time proportional to the number of vertices an
     \cgalParamDefault{as many as the surface mesher makes}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{hears of the progress of all three steps together. The first two are `Stage::IMPLICIT_FUNCTION`. If it
-                          stops them, `Anisotropic_hde_remeshing::Interrupted` is thrown; a remeshing that it stops leads to the
-                          mesh reached by then.}
+    \cgalParamDescription{learns of the progress of all three steps together. The first two are `Stage::IMPLICIT_FUNCTION`. If
+                          it stops them, `Anisotropic_hde_remeshing::Interrupted` is thrown. If it stops the remeshing, the result
+                          is the mesh reached by then.}
     \cgalParamType{a model of `RemeshingVisitor`}
     \cgalParamDefault{`Anisotropic_hde_remeshing::Remeshing_visitor`}
   \cgalParamNEnd

@@ -23,7 +23,7 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 
 /*!
-\ingroup PkgAnisotropicHdeRemeshingRef
+\ingroup PkgAnisotropicHdeRemeshingEmbeddings
 
 the bounds that the remesher puts on a metric
 */
@@ -31,8 +31,8 @@ struct Metric_bounds
 {
   double shortest_edge = 1e-4; ///< no edge needs to be shorter, as a share of the diagonal of the bounding box of the mesh
   double longest_edge = 0.25;  ///< no edge shall be longer, as a share of the same diagonal
-  /// The normal turns by no more than this along an edge, in radians. By default there is no such bound: on what is finer than the
-  /// faces, such as hair or noise, it takes faces from all the rest.
+  /// The normal turns by no more than this along an edge, in radians. By default there is no such bound. Where detail is finer than
+  /// the faces, such as hair or noise, the bound would take faces from everywhere else.
   double turn = (std::numeric_limits<double>::infinity)();
   double gradation = 2; ///< largest ratio of the lengths that the metric asks of neighbouring edges, above 1
 };
@@ -55,7 +55,7 @@ inline const Metric_bounds& checked_bounds(const Metric_bounds& bounds)
 } // namespace internal
 
 /*!
-\ingroup PkgAnisotropicHdeRemeshingRef
+\ingroup PkgAnisotropicHdeRemeshingEmbeddings
 
 The metric of the least distance between a mesh and a surface in the \f$ L^p \f$ norm. Among the meshes with vertices on the
 surface and the same number of faces, a mesh that is uniform in this metric has the least distance. The metric is
@@ -80,6 +80,7 @@ A length in this metric has the unit of space to the power of \f$ 1/2 + 1 / (2p 
 class Curvature_metric
 {
 public:
+  /// \brief the metric for a norm
   /// \param p the norm, from 1 to infinity
   /// \param bounds see `Metric_bounds`
   /// \throw std::invalid_argument if `p` is less than 1 or not a number, or the bounds are out of their ranges
@@ -144,7 +145,7 @@ private:
 };
 
 /*!
-\ingroup PkgAnisotropicHdeRemeshingRef
+\ingroup PkgAnisotropicHdeRemeshingEmbeddings
 
 The paper's embedding with a weight of the normals that follows the curvature, \f$ \sigma(x) = 1 / \sqrt{|K|} \f$ with the Gauss
 curvature \f$ K \f$. This is the metric \f$ I + \sigma(x)^2 S^2 \f$. Everywhere, edges have about the ratio of lengths that is
@@ -156,6 +157,7 @@ parameter and needs no scale. It is regularised and bounded as `Curvature_metric
 class Adaptive_normal_embedding
 {
 public:
+  /// \brief the embedding with some bounds
   /// \param bounds see `Metric_bounds`
   /// \throw std::invalid_argument if the bounds are out of their ranges
   explicit Adaptive_normal_embedding(const Metric_bounds& bounds = Metric_bounds()) : m_bounds(internal::checked_bounds(bounds))

@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 
 /*!
-\ingroup PkgAnisotropicHdeRemeshingRef
+\ingroup PkgAnisotropicHdeRemeshingTransfer
 
 where a vertex of the result of `CGAL::anisotropic_hde_remeshing()` comes from: the closest point of the mesh that was given. A
 vertex that was not touched comes from itself, a corner of one of its faces. Some vertices come from no face: isolated ones that

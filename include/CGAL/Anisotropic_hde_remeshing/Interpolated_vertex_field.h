@@ -32,7 +32,7 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 
 /*!
-\ingroup PkgAnisotropicHdeRemeshingRef
+\ingroup PkgAnisotropicHdeRemeshingEmbeddings
 
 A field in space from numbers at the vertices of a triangle mesh. At a point, it has the value that is linearly interpolated at
 the closest point of the mesh. It keeps what it needs of the mesh, may be called concurrently, and is cheap to copy. It turns a
@@ -41,6 +41,7 @@ vertex property, such as a solution on the mesh, into a field for `scalar_field_
 class Interpolated_vertex_field
 {
 public:
+  /// \brief the field of numbers at the vertices of a mesh
   /// \tparam TriangleMesh a model of `VertexListGraph`, `HalfedgeListGraph` and `FaceListGraph`
   /// \tparam VertexValueMap a model of `ReadablePropertyMap` with the vertices as keys and numbers as values
   /// \param tmesh the mesh

@@ -17,24 +17,24 @@
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 
-/// \ingroup PkgAnisotropicHdeRemeshingRef
+/// \ingroup PkgAnisotropicHdeRemeshingMeasures
 ///
 /// the elements of a triangle mesh and how they are connected. Isolated vertices are left out but counted.
 struct Topology_measures
 {
   std::size_t number_of_vertices = 0;          ///< with a face
   std::size_t number_of_isolated_vertices = 0; ///< without one
-  std::size_t number_of_edges = 0;
-  std::size_t number_of_faces = 0;
-  std::size_t number_of_boundary_edges = 0;
-  std::size_t number_of_boundary_loops = 0;
-  std::size_t number_of_components = 0;
+  std::size_t number_of_edges = 0;             ///< all of them
+  std::size_t number_of_faces = 0;             ///< all of them
+  std::size_t number_of_boundary_edges = 0;    ///< edges with one face
+  std::size_t number_of_boundary_loops = 0;    ///< closed curves of boundary edges
+  std::size_t number_of_components = 0;        ///< connected by edges
   std::ptrdiff_t euler_characteristic = 0;     ///< vertices - edges + faces
   std::size_t number_of_interior_vertices = 0; ///< not on a boundary
   double valence_6_share = 0; ///< share of the interior vertices with 6 edges; 0 if there are no interior vertices
 };
 
-/// \ingroup PkgAnisotropicHdeRemeshingRef
+/// \ingroup PkgAnisotropicHdeRemeshingMeasures
 ///
 /// the shapes of the faces of a triangle mesh in space, and how neighbouring faces lie to each other. The aspect ratio of a
 /// face is \f$ q_T = R_T / (2 r_T) \f$, the circumradius over twice the inradius. It is 1 for an equilateral triangle, and
@@ -50,7 +50,7 @@ struct Shape_measures
   std::size_t number_of_folded_edges = 0;
 };
 
-/// \ingroup PkgAnisotropicHdeRemeshingRef
+/// \ingroup PkgAnisotropicHdeRemeshingMeasures
 ///
 /// a triangle mesh in the embedding \f$ \Psi(x) = (x, \sigma n(x)) \f$ in \f$ R^6 \f$, with `n` the unit gradient of an
 /// implicit function. There an edge has the squared length \f$ |a-b|^2 + \sigma^2 |n_a-n_b|^2 \f$.
@@ -66,7 +66,7 @@ struct Embedding_measures
   std::size_t number_of_folded_faces = 0; ///< faces turned against the function, see `measure_embedding()`
 };
 
-/// \ingroup PkgAnisotropicHdeRemeshingRef
+/// \ingroup PkgAnisotropicHdeRemeshingMeasures
 ///
 /// distances of a triangle mesh to the zero set of an implicit function, in the unit of the mesh, see
 /// `measure_distance_to_zero_set()`
@@ -79,7 +79,7 @@ struct Zero_set_measures
   std::size_t number_of_samples = 0; ///< points sampled on the faces
 };
 
-/// \ingroup PkgAnisotropicHdeRemeshingRef
+/// \ingroup PkgAnisotropicHdeRemeshingMeasures
 ///
 /// distances between two triangle meshes, in their unit
 struct Distance_measures
@@ -95,7 +95,7 @@ struct Distance_measures
   double max() const { return (std::max)(max_from_first, max_from_second); }
 };
 
-/// \ingroup PkgAnisotropicHdeRemeshingRef
+/// \ingroup PkgAnisotropicHdeRemeshingMeasures
 ///
 /// how the stretched faces of a triangle mesh follow the curvature of a surface, see `measure_alignment()`
 struct Alignment_measures

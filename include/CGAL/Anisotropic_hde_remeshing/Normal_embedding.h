@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 
 /*!
-\ingroup PkgAnisotropicHdeRemeshingRef
+\ingroup PkgAnisotropicHdeRemeshingEmbeddings
 
 The embedding of the paper's (2), \f$ \Psi(x) = (x, \sigma n(x)) \in R^6 \f$. A mesh that is uniform and isotropic in
 \f$ R^6 \f$ is stretched in space, along the directions of low curvature. A small edge of direction \f$ t \f$ has the squared 6D
@@ -36,6 +36,7 @@ public:
   {
   };
 
+  /// \brief the embedding with a weight of the normals
   /// \param sigma the weight of the normals, a length in the unit of the mesh; 0 makes the mesh isotropic in space
   /// \throw std::invalid_argument if `sigma` is negative or not finite
   explicit Normal_embedding(const double sigma)

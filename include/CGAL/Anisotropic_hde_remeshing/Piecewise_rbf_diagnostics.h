@@ -16,7 +16,7 @@
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 
-/// \ingroup PkgAnisotropicHdeRemeshingRef
+/// \ingroup PkgAnisotropicHdeRemeshingSharp
 ///
 /// what a piece of `CGAL::Piecewise_rbf_implicit_function` is
 enum class Piece_kind
@@ -27,7 +27,7 @@ enum class Piece_kind
   NONE           ///< nothing: the value 1 with the gradient 0 everywhere, as all faces of the region are degenerate
 };
 
-/// \ingroup PkgAnisotropicHdeRemeshingRef
+/// \ingroup PkgAnisotropicHdeRemeshingSharp
 ///
 /// what `CGAL::Piecewise_rbf_implicit_function` tells of its construction. The numbers of patches and points are sums over the
 /// pieces of the kind `Piece_kind::FIELD`. The worst values are the worst of these pieces. See `Rbf_diagnostics`.
@@ -35,25 +35,26 @@ struct Piecewise_rbf_diagnostics
 {
   /// \name Pieces
   /// @{
-  std::size_t number_of_regions = 0; ///< the sum of the four below
-  std::size_t number_of_fields = 0;
-  std::size_t number_of_planes = 0;
-  std::size_t number_of_closest_point_regions = 0;
-  std::size_t number_of_regions_without_area = 0;
+  std::size_t number_of_regions = 0;               ///< the sum of the four below
+  std::size_t number_of_fields = 0;                ///< of the kind `Piece_kind::FIELD`
+  std::size_t number_of_planes = 0;                ///< of the kind `Piece_kind::PLANE`
+  std::size_t number_of_closest_point_regions = 0; ///< of the kind `Piece_kind::CLOSEST_POINT`
+  std::size_t number_of_regions_without_area = 0;  ///< of the kind `Piece_kind::NONE`
   /// @}
 
   /// \name Fields
   /// @{
   std::size_t number_of_points = 0;            ///< of all fields; a vertex on a crease is a point of each region there
   std::size_t number_of_points_on_facets = 0;  ///< those among them that are no vertices, but lie on facets
-  std::size_t number_of_replaced_vertices = 0; ///< those for which points on their facets stand
+  std::size_t number_of_replaced_vertices = 0; ///< those that points on their facets replace
   std::size_t number_of_points_on_edges = 0;   ///< on sharp edges inside of the regions: no off-surface points
   double noise =
       0; ///< the standard deviation of the noise of the points, `smoothing` or its estimate, in the unit of the coordinates
-  std::size_t number_of_patches = 0;        ///< of the interpolants
-  std::size_t patches_repaired = 0;         ///< patches that failed a check and were solved once more
-  std::size_t patches_on_fallback = 0;      ///< patches that were not solved or not repaired: the input itself answers there
-  std::size_t patches_off_facets = 0;       ///< those among them that stayed too far from a facet
+  std::size_t number_of_patches = 0; ///< of the interpolants
+  std::size_t patches_repaired = 0;  ///< patches that failed a check and were solved once more
+  std::size_t patches_on_fallback =
+      0;                              ///< patches that were not solved or not repaired: the distance to the input replaces them
+  std::size_t patches_off_facets = 0; ///< those among them that stayed too far from a facet
   std::size_t number_of_refined_places = 0; ///< points on facets that were added as the surface was too far there
   std::size_t number_of_failed_checks = 0;  ///< wrong signs and gradients that remain in patches not on fallback
   double worst_residual = 0;                ///< of the systems' solutions, relative to the largest datum

@@ -21,7 +21,7 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 
 /*!
-\ingroup PkgAnisotropicHdeRemeshingRef
+\ingroup PkgAnisotropicHdeRemeshingImplicit
 
 the principal curvatures of a surface at a point, in the inverse of the unit of the coordinates, and their directions. A
 curvature is positive where the surface curves away from its normal, as a sphere with outward normals does. The directions are

@@ -16,7 +16,7 @@
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 
-/// \ingroup PkgAnisotropicHdeRemeshingRef
+/// \ingroup PkgAnisotropicHdeRemeshingImplicit
 ///
 /// what `CGAL::Rbf_implicit_function` tells of its construction
 struct Rbf_diagnostics
@@ -25,7 +25,7 @@ struct Rbf_diagnostics
   /// @{
   std::size_t number_of_points = 0;                ///< points of the surface, without the isolated and duplicate ones below
   std::size_t number_of_points_on_facets = 0;      ///< those among them that are no vertices, but lie on facets
-  std::size_t number_of_replaced_vertices = 0;     ///< those for which points on their facets stand
+  std::size_t number_of_replaced_vertices = 0;     ///< those that points on their facets replace
   std::size_t number_of_points_on_edges = 0;       ///< on sharp edges that were detected: no off-surface points
   std::size_t number_of_isolated_vertices = 0;     ///< vertices without a face, ignored
   std::size_t number_of_duplicate_points = 0;      ///< points equal to another one, ignored
@@ -45,15 +45,16 @@ struct Rbf_diagnostics
 
   /// \name Patches
   /// @{
-  std::size_t number_of_patches = 0;
+  std::size_t number_of_patches = 0;            ///< of the function
   double mean_centres = 0;                      ///< mean number of on- and off-surface points of a patch
   std::size_t max_centres = 0;                  ///< this number of the largest patch
   std::size_t patches_with_sparse_cholesky = 0; ///< the sparse systems of a kernel of compact support
   std::size_t patches_with_ridge = 0;           ///< solved with a small ridge on the diagonal
   std::size_t patches_with_lu = 0;              ///< solved by LU after Cholesky had failed
   std::size_t patches_repaired = 0;             ///< patches that failed a check and were solved once more
-  std::size_t patches_on_fallback = 0;      ///< patches that were not solved or not repaired: the input itself answers there
-  std::size_t patches_off_facets = 0;       ///< those among them that stayed too far from a facet
+  std::size_t patches_on_fallback =
+      0;                              ///< patches that were not solved or not repaired: the distance to the input replaces them
+  std::size_t patches_off_facets = 0; ///< those among them that stayed too far from a facet
   std::size_t number_of_refined_places = 0; ///< points on facets that were added as the surface was too far there
   std::size_t number_of_failed_checks = 0;  ///< wrong signs and gradients that remain in patches not on fallback
   double worst_residual = 0;                ///< of the systems' solutions, relative to the largest datum

@@ -18,7 +18,7 @@
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 
-/// \ingroup PkgAnisotropicHdeRemeshingRef
+/// \ingroup PkgAnisotropicHdeRemeshingSchemes
 ///
 /// what `CGAL::rbf_surface_reconstruction()` found and did, and with which sizes. Lengths are in the unit of the points.
 struct Reconstruction_result
@@ -35,15 +35,15 @@ struct Reconstruction_result
 
   /// \name Surface
   /// @{
-  std::size_t number_of_vertices = 0;
-  std::size_t number_of_faces = 0;
-  std::size_t number_of_components = 0;
-  /// places near points where the zero set is, but no triangle came to be: parts that are too small for `facet_size`
+  std::size_t number_of_vertices = 0;   ///< of the mesh
+  std::size_t number_of_faces = 0;      ///< of the mesh
+  std::size_t number_of_components = 0; ///< of the mesh
+  /// places near points where the zero set is, but the mesh has no triangle: parts that are too small for `facet_size`
   std::size_t number_of_missed_places = 0;
   double facet_size = 0;      ///< the one given, or the default
   double facet_distance = 0;  ///< the one given, or the default
   bool is_remeshed = false;   ///< whether a size of the result was asked for
-  Remeshing_result remeshing; ///< what came of it
+  Remeshing_result remeshing; ///< the result of the remeshing
   /// @}
 
   /// \name Cost

@@ -19,7 +19,7 @@
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 
-/// \ingroup PkgAnisotropicHdeRemeshingRef
+/// \ingroup PkgAnisotropicHdeRemeshingSchemes
 ///
 /// for how many points each way of projecting onto the zero set was used. The ways are tried in this order.
 struct Projection_counters
@@ -30,7 +30,7 @@ struct Projection_counters
   std::size_t closest_point = 0; ///< the closest point of the input with its interpolated normal
 };
 
-/// \ingroup PkgAnisotropicHdeRemeshingRef
+/// \ingroup PkgAnisotropicHdeRemeshingSchemes
 ///
 /// what decided on the number of faces
 enum class Target
@@ -46,7 +46,7 @@ enum class Target
   GUARDS
 };
 
-/// \ingroup PkgAnisotropicHdeRemeshingRef
+/// \ingroup PkgAnisotropicHdeRemeshingSharp
 ///
 /// the feature curves of a mesh: its creases, boundaries and constrained edges
 struct Feature_curves
@@ -56,13 +56,13 @@ struct Feature_curves
   double length = 0;                 ///< of all together, in the unit of the mesh
 };
 
-/// \ingroup PkgAnisotropicHdeRemeshingRef
+/// \ingroup PkgAnisotropicHdeRemeshingSchemes
 ///
-/// Faces with a larger aspect ratio \f$ R / (2 r) \f$, circumradius over twice the inradius, are called needles. Hardly any
-/// computation has a use for needles, and no metric that follows a curvature asks for them.
+/// the aspect ratio \f$ R / (2 r) \f$, circumradius over twice the inradius, beyond which a face is called a needle. Needles are of
+/// hardly any use in computations, and no metric that follows a curvature asks for them.
 constexpr double needle_aspect_ratio = 1000;
 
-/// \ingroup PkgAnisotropicHdeRemeshingRef
+/// \ingroup PkgAnisotropicHdeRemeshingSchemes
 ///
 /// what `CGAL::anisotropic_hde_remeshing()` did, and with which parameters. It chooses those that are not given.
 struct Remeshing_result
@@ -84,32 +84,33 @@ struct Remeshing_result
   std::size_t number_of_needles = 0; ///< of these, the faces with an aspect ratio of more than `needle_aspect_ratio`
   /// of these, the faces beyond `aspect_ratio_bound`, by any scheme; 0 without it
   std::size_t number_of_faces_beyond_aspect_ratio = 0;
-  /// of these, the faces that share no edge with another one. Many of them, in a mesh that should be connected, are a sign of points
-  /// that coincide and should be one.
+  /// of these, the faces that share no edge with another one. Many of them, in a mesh that should be connected, are a sign of
+  /// points that coincide and should be one.
   std::size_t number_of_lone_faces = 0;
   /// pairs of faces of the input that intersect, alone or with faces that are not remeshed; 0 without `do_self_intersection_tests`
   std::size_t number_of_self_intersections_before = 0;
-  /// the same of the result: no more than before, or `warnings()` tell. If the visitor stopped the remeshing, those of the input are
-  /// told.
+  /// the pairs of faces of the result that intersect. If there are more than before, `warnings()` says so. If the visitor stopped
+  /// the remeshing, it is the number of the input.
   std::size_t number_of_self_intersections = 0;
   /// whether the remeshing went by measured error, and took the faces for the long and exact facets of a CAD program
   bool has_long_facets = false;
-  /// the patches of the function that the package has built, and those of them where the input itself answers: there parameters
-  /// such as `smoothing` have no effect. Both are 0 if the function is the caller's, or by measured error, where there is none.
+  /// the patches of the function that the package has built, and those of them in which the distance to the input replaces the
+  /// function. There parameters such as `smoothing` have no effect. Both are 0 if the function is the caller's, or by measured
+  /// error, where there is none.
   std::size_t number_of_patches = 0, number_of_patches_on_fallback = 0;
   unsigned int number_of_iterations = 0; ///< the iterations done
-  std::size_t number_of_splits = 0;
-  std::size_t number_of_collapses = 0;
-  std::size_t number_of_flips = 0;
+  std::size_t number_of_splits = 0;      ///< edges that were split
+  std::size_t number_of_collapses = 0;   ///< edges that were contracted
+  std::size_t number_of_flips = 0;       ///< edges that were flipped
   /// between creases, each smooth: one, unless the function is piecewise, or exact facets are kept, each as a region
   std::size_t number_of_regions = 0;
   Feature_curves curves_before, curves_after;  ///< in the input and in the result
   std::size_t number_of_isolated_vertices = 0; ///< isolated vertices of the input, which the result does not have
   /// Vertices of the result that are further from the zero set than 1e-8 of the diagonal of the bounding box. The distance is
   /// the value of the function over the length of its gradient. Vertices of curves and constrained ones do not count, but those of
-  /// boundaries do with `project_borders`. There are two reasons: the function led nowhere, and the vertex is on the input; or
-  /// the last step would have folded a face, or made it intersect another one if intersections are tested. Vertices are counted
-  /// before `fit_to_surface` moves them.
+  /// boundaries do with `project_borders`. There are two reasons. No zero was found near the vertex, and it is on the input. Or the
+  /// last step would have folded a face, or made it intersect another one if intersections are tested. Vertices are counted before
+  /// `fit_to_surface` moves them.
   std::size_t number_of_unprojected_vertices = 0;
   Projection_counters projections;
   bool was_stopped = false;             ///< whether the visitor ended the remeshing early
@@ -133,9 +134,9 @@ struct Remeshing_result
     return difference > allowed || (difference < -allowed && !(approximation_error > 0));
   }
 
-  /// what a caller should know before using the mesh, a line for each: that the number of faces is missed, that more faces intersect
-  /// than before, that there are needles, and that the bound on aspect ratios is missed. It is empty if all is well. The distance to the input is not known here, see
-  /// `measure_distance()`.
+  /// what a caller should know before using the mesh, a line for each: that the number of faces is missed, that more faces
+  /// intersect than before, that there are needles, and that the bound on aspect ratios is missed. It is empty if all is well.
+  /// The distance to the input is not known here, see `measure_distance()`.
   std::vector<std::string> warnings() const
   {
     std::vector<std::string> result;

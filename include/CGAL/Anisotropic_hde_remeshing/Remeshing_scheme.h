@@ -14,16 +14,20 @@
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 
-/// \ingroup PkgAnisotropicHdeRemeshingRef
+/// \ingroup PkgAnisotropicHdeRemeshingSchemes
 ///
-/// the order of the operations in `CGAL::anisotropic_hde_remeshing()`
+/// the order of the operations in `CGAL::anisotropic_hde_remeshing()`. By measured error the facets of the input are the surface;
+/// by embedding it is the zero set of a function.
 enum class Remeshing_scheme
 {
-  /// `MEASURED_ERROR` if an error is asked for, or a number of faces that is at most three quarters of that of the input, or any
-  /// number where more than a quarter of the area is in faces whose longest edge is more than eight times the altitude over it, or
-  /// in facets of several faces in one plane that are long and turn by much, as those of a cylinder of few sides; and
-  /// neither an embedding, nor a length, a function or a parameter of one of these. Otherwise `EMBEDDING`; but of such faces and
-  /// facets, if an embedding that keeps them does not meet the number of faces, `MEASURED_ERROR`.
+  /// `MEASURED_ERROR` in the following cases, and otherwise `EMBEDDING`. In the first three, neither an embedding, nor a length,
+  /// a function, or a parameter of one of these is given.
+  /// - An error is asked for.
+  /// - A number of faces is asked for that is at most three quarters of that of the input.
+  /// - Any number is asked for, and the facets are long and exact, as in a file of a CAD program: more than a quarter of the area
+  ///   is in faces whose longest edge is more than eight times the altitude over it, or in facets of several faces in one plane
+  ///   that are long and turn by much, as those of a cylinder of few sides.
+  /// - An embedding is asked for that keeps such facets, and it does not meet the number of faces.
   DEFAULT,
   /// Algorithm 2 of the paper. An iteration first repeats three operations until nothing is contracted: it contracts edges
   /// below half of the target length, smooths the 30% of the vertices with the smallest 6D angles, and flips edges. Then it
@@ -38,14 +42,16 @@ enum class Remeshing_scheme
   /// edges towards valence six, or, in the last iterations, towards larger angles. In the end it smooths all vertices.
   EMBEDDING,
   /// The input is the surface itself. If it has fewer faces than asked for, these are split first, at their longest edges.
-  /// Samples of the input know which face of the mesh is nearest, so each face knows how far it is from what it stands for.
-  /// First, edges are contracted in the order of what is lost by that, which quadrics add up. Then iterations follow. Each
-  /// exchanges vertices, a contraction that costs little for a split that gains much; flips edges where that makes the distance
-  /// less; and moves the vertices where the distance is least, on the surface or off it. Where faces were split there are no
-  /// iterations unless they are asked for. Distances count by their third power, so that the largest one becomes small, too. Long
-  /// triangles have a price: they stand where they pay. Vertices of curves stay on them. With an error, edges are contracted as
-  /// long as it is kept, and faces that exceed it in the end are split. If neither an error nor a number of faces is asked for, or
-  /// an embedding is, this is `EMBEDDING`.
+  ///
+  /// Samples of the input belong to the nearest face of the mesh, so the distance of each face to its part of the input is known.
+  /// First, edges are contracted, those that lose least first. Quadrics add up the loss. Then iterations follow. Each iteration
+  /// exchanges vertices: it does a contraction that costs little together with a split that gains much. It flips edges where that
+  /// makes the distance less. It moves the vertices to where the distance is least, on the surface or off it. Where faces were
+  /// split there are no iterations unless they are asked for.
+  ///
+  /// Distances count by their third power, so that the largest one becomes small, too. Long triangles have a price. Vertices of
+  /// curves stay on them. With an error, edges are contracted as long as it is kept, and faces that exceed it in the end are split.
+  /// If neither an error nor a number of faces is asked for, or if an embedding is, this is `EMBEDDING`.
   MEASURED_ERROR
 };
 

@@ -16,7 +16,7 @@
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 
-/// \ingroup PkgAnisotropicHdeRemeshingRef
+/// \ingroup PkgAnisotropicHdeRemeshingSchemes
 ///
 /// the stages of `CGAL::anisotropic_hde_remeshing()`, in the order in which they run
 enum class Stage
@@ -27,7 +27,7 @@ enum class Stage
   OUTPUT             ///< the result is written into the mesh of the caller
 };
 
-/// \ingroup PkgAnisotropicHdeRemeshingRef
+/// \ingroup PkgAnisotropicHdeRemeshingSchemes
 ///
 /// thrown by the constructor of `CGAL::Rbf_implicit_function` if the visitor stops it. No function is left half built.
 /// `CGAL::anisotropic_hde_remeshing()` does not throw it: it returns.
@@ -36,7 +36,7 @@ struct Interrupted : std::runtime_error
   Interrupted() : std::runtime_error("stopped by the visitor") {}
 };
 
-/// \ingroup PkgAnisotropicHdeRemeshingRef
+/// \ingroup PkgAnisotropicHdeRemeshingSchemes
 ///
 /// the default visitor of `CGAL::anisotropic_hde_remeshing()`, a model of `RemeshingVisitor`. It does nothing and never stops
 /// the remeshing. Derive from it and hide the members that are needed.

@@ -60,7 +60,7 @@ struct Field_result<Field, Point, std::void_t<decltype(std::declval<const Field&
 } // namespace internal
 
 /*!
-\ingroup PkgAnisotropicHdeRemeshingRef
+\ingroup PkgAnisotropicHdeRemeshingEmbeddings
 
 The embedding \f$ (x, \sigma n(x), \tau f(x)) \in R^{6+m} \f$ with a field \f$ f \f$ of the user's, of \f$ m \f$ numbers: a
 texture, the solution of a differential equation, a function on the surface. The mesh becomes finer where the field varies:
@@ -89,6 +89,7 @@ public:
     Values values = Values::Zero();
   };
 
+  /// \brief the embedding with a field
   /// \param sigma the weight of the normals, a length in the unit of the mesh
   /// \param tau the weight of the field: a length in the unit of the mesh, over the unit of the field
   /// \param field the field
@@ -205,7 +206,7 @@ private:
 };
 
 /*!
-\ingroup PkgAnisotropicHdeRemeshingRef
+\ingroup PkgAnisotropicHdeRemeshingEmbeddings
 
 returns the embedding with the field. The type of the points cannot be deduced.
 */

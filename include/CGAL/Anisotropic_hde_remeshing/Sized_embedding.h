@@ -41,17 +41,18 @@ inline double checked_size(const double size, const Eigen::Vector3d& p)
 } // namespace internal
 
 /*!
-\ingroup PkgAnisotropicHdeRemeshingRef
+\ingroup PkgAnisotropicHdeRemeshingEmbeddings
 
-An embedding in which lengths are relative to a size that is wanted at each place. With the target edge length 1 edges have that size
-in the embedding below; with a number of faces the sizes tell the proportions only. The length of an edge is that in the embedding
-below over the geometric mean of the sizes at its ends. Sizes should change by no more than half of a length over that length: triangles
-become thin where they change faster. The named parameter `sizing_field` of `CGAL::anisotropic_hde_remeshing()` makes such an embedding.
+An embedding in which lengths are relative to a size. The size is the length that edges shall have at each place, measured in an
+underlying embedding. With the target edge length 1, edges have that size. With a number of faces, only the proportions of the
+sizes count. The length of an edge is that in the underlying embedding over the geometric mean of the sizes at its ends. Sizes
+should change by no more than half of a length over that length. Triangles become thin where they change faster. The named
+parameter `sizing_field` of `CGAL::anisotropic_hde_remeshing()` makes such an embedding.
 
 \tparam Point the type of the points that the sizes are asked for, with a constructor from three `double`
-\tparam Sizing_field a function object with `size(Point) const`, which returns a positive number, a length in the unit of the mesh, is
-        defined on and near the surface, and may be called concurrently. `Interpolated_vertex_field` makes one of a property of the
-        vertices of the input.
+\tparam Sizing_field a function object with `size(Point) const`, which returns a positive number, a length in the unit of the
+       mesh, is defined on and near the surface, and may be called concurrently. `Interpolated_vertex_field` makes one of a
+       property of the vertices of the input.
 \tparam Embedding a model of `RemeshingEmbedding` whose lengths are in the unit of the mesh. `Normal_embedding(0)` makes triangles
         equilateral in space.
 
@@ -63,7 +64,7 @@ template <typename Point, typename Sizing_field, typename Embedding = Normal_emb
 class Sized_embedding
 {
 public:
-  /// that of the embedding below, and the size
+  /// the data of the underlying embedding, and the size
   struct Vertex_data : Embedding::Vertex_data
   {
     double size = 1;
@@ -75,7 +76,7 @@ public:
                   "the sizing field must be a function object that takes a point");
   }
 
-  /// the embedding below, in the unit of this one
+  /// the underlying embedding, in the unit of this one
   const Embedding& embedding() const { return m_embedding; }
 
   /// the same for a mesh in another unit of length
@@ -90,7 +91,7 @@ public:
   /// 1: the lengths are relative
   double unit_of_lengths(double) const { return 1; }
 
-  /// asks for the size
+  /// evaluates the size
   /// \throw std::invalid_argument if it is not positive and finite
   template <typename Vertex>
   void place(Vertex& vertex) const
@@ -99,7 +100,7 @@ public:
     set_size(vertex);
   }
 
-  /// asks for the size
+  /// evaluates the size
   template <typename Vertex>
   void place_between(const Vertex& a, const Vertex& b, Vertex& middle) const
   {
@@ -113,7 +114,7 @@ public:
     return m_embedding.squared_length(a, b) / (a.size * b.size);
   }
 
-  /// that of the embedding below, with areas in this one
+  /// the centroid in the underlying embedding, with areas in this one
   template <typename Vertex>
   class Centroid : public Embedding::template Centroid<Vertex>
   {
@@ -140,7 +141,7 @@ private:
 };
 
 /*!
-\ingroup PkgAnisotropicHdeRemeshingRef
+\ingroup PkgAnisotropicHdeRemeshingEmbeddings
 
 returns an embedding with a size for each place. The type of the points cannot be deduced:
 

@@ -16,7 +16,7 @@
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 
-/// \ingroup PkgAnisotropicHdeRemeshingRef
+/// \ingroup PkgAnisotropicHdeRemeshingImplicit
 ///
 /// What the named parameter `smoothing` takes: a length, the standard deviation of the noise of the points, or
 /// `AUTOMATIC_SMOOTHING`. A number will do for a length. This type is for programs that choose between the two when they run.
@@ -42,7 +42,7 @@ private:
   bool m_is_automatic = true;
 };
 
-/// \ingroup PkgAnisotropicHdeRemeshingRef
+/// \ingroup PkgAnisotropicHdeRemeshingImplicit
 ///
 /// for the named parameter `smoothing`: the noise is estimated from the points
 inline constexpr Smoothing AUTOMATIC_SMOOTHING = Smoothing::automatic();

@@ -34,7 +34,7 @@
 namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 
-/// \ingroup PkgAnisotropicHdeRemeshingRef
+/// \ingroup PkgAnisotropicHdeRemeshingSharp
 ///
 /// what `detect_surface_regions()` has found
 struct Surface_regions
@@ -172,7 +172,7 @@ std::size_t extend_darts(const TriangleMesh& tmesh, const Directions& directions
 } // namespace internal
 
 /*!
-\ingroup PkgAnisotropicHdeRemeshingRef
+\ingroup PkgAnisotropicHdeRemeshingSharp
 
 finds the creases of a surface, the edges where it is not smooth, and the regions between them. These are the smooth pieces for
 `CGAL::Piecewise_rbf_implicit_function`.
@@ -201,9 +201,9 @@ position, the orientation or the unit of the mesh, except for rounding.
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tmesh the mesh. Other faces than triangles are allowed. Isolated vertices are allowed and ignored.
-\param edge_is_crease is told for every edge whether it is a crease. A boundary edge is no crease. The map may be that of the
+\param edge_is_crease is set for every edge: whether it is a crease. A boundary edge is no crease. The map may be that of the
        constrained edges.
-\param face_region is told for every face the number of its region. Regions are numbered from 0 on in the order of their first
+\param face_region is set for every face: the number of its region. Regions are numbered from 0 on in the order of their first
        faces. The map may be that of the patches.
 \param np optional named parameters among the ones below
 

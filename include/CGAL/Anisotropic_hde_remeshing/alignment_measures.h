@@ -54,7 +54,7 @@ struct Stretch
 } // namespace internal
 
 /*!
-\ingroup PkgAnisotropicHdeRemeshingRef
+\ingroup PkgAnisotropicHdeRemeshingMeasures
 
 measures how well the stretched faces of a triangle mesh follow the direction in which the surface is flatter. A face counts if
 two ratios are at least `smallest_ratio`: that of the axes of the ellipse of inertia of its edges, and that of the absolute

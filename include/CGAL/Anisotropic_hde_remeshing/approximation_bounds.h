@@ -27,7 +27,7 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 
 /*!
-\ingroup PkgAnisotropicHdeRemeshingRef
+\ingroup PkgAnisotropicHdeRemeshingMeasures
 
 the least distances to a smooth surface that a triangle mesh can have, asymptotically for many faces. Divide the distances of a
 mesh by these bounds to see how far the mesh is from the best one of its size. The quotient is its efficiency, 1 at best.
@@ -50,7 +50,7 @@ struct Approximation_bounds
 };
 
 /*!
-\ingroup PkgAnisotropicHdeRemeshingRef
+\ingroup PkgAnisotropicHdeRemeshingMeasures
 
 integrates the bounds over a mesh near the zero set of `f`, for its number of faces \f$ F \f$. For another number of faces see
 `Approximation_bounds::for_number_of_faces()`. \f$ A \f$ is the area and \f$ K \f$ the Gauss curvature (Fejes Toth 1948; Gruber

@@ -105,7 +105,7 @@ Rms_and_max rms_and_max_from(const Measured_mesh& mesh, const std::size_t number
 } // namespace internal
 
 /*!
-\ingroup PkgAnisotropicHdeRemeshingRef
+\ingroup PkgAnisotropicHdeRemeshingMeasures
 
 \brief measures the distances between two triangle meshes, both ways, at sampled points.
 

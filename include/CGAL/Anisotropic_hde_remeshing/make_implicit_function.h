@@ -128,7 +128,7 @@ constexpr bool accepts_callable()
 } // namespace internal
 
 /*!
-\ingroup PkgAnisotropicHdeRemeshingRef
+\ingroup PkgAnisotropicHdeRemeshingImplicit
 
 A function of the user's as an implicit function, made by `make_implicit_function()`.
 
@@ -165,7 +165,7 @@ private:
 };
 
 /*!
-\ingroup PkgAnisotropicHdeRemeshingRef
+\ingroup PkgAnisotropicHdeRemeshingImplicit
 
 makes an implicit function of a lambda or any other function, whose gradient is found by central differences:
 
@@ -205,9 +205,9 @@ auto make_implicit_function(Function f, const double size = 1)
 }
 
 /*!
-\ingroup PkgAnisotropicHdeRemeshingRef
+\ingroup PkgAnisotropicHdeRemeshingImplicit
 
-the same with a gradient of the user's.
+makes an implicit function of a callable and its gradient.
 
 \tparam GeomTraits as above
 \tparam Function as above
@@ -216,8 +216,12 @@ the same with a gradient of the user's.
 \param f negative inside, zero on the surface, positive outside
 \param gradient its gradient, outward, of any positive length
 */
+#ifdef DOXYGEN_RUNNING
+template <typename GeomTraits = void, typename Function, typename Gradient>
+#else
 template <typename GeomTraits = void, typename Function, typename Gradient,
           typename = std::enable_if_t<!internal::is_number<Gradient>>>
+#endif
 auto make_implicit_function(Function f, Gradient gradient)
 {
   typedef typename internal::Kernel_of_function<GeomTraits, Function>::type Kernel;

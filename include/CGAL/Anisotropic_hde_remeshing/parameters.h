@@ -20,15 +20,20 @@ namespace Anisotropic_hde_remeshing {
 namespace parameters {
 
 /*!
-\ingroup PkgAnisotropicHdeRemeshingRef
+\ingroup PkgAnisotropicHdeRemeshingParameters
 
 begins with parameters of \cgal: `begin_with(points.parameters()).number_of_patches(500)`. A sequence of \cgal's own functions
 cannot be continued with names of this package otherwise.
 
 \return the same parameters, which can be continued with all names of this package
 */
+#ifdef DOXYGEN_RUNNING
+template <typename NamedParameters>
+unspecified_type begin_with(const NamedParameters& np)
+#else
 template <typename T, typename Tag, typename Base>
 internal::Named_parameters<T, Tag, Base> begin_with(const Named_function_parameters<T, Tag, Base>& np)
+#endif
 {
   return internal::named_parameters(np);
 }
@@ -36,9 +41,9 @@ internal::Named_parameters<T, Tag, Base> begin_with(const Named_function_paramet
 typedef internal::Named_parameters<bool, internal_np::all_default_t> Default_named_parameters;
 
 /*!
-\ingroup PkgAnisotropicHdeRemeshingRef
+\ingroup PkgAnisotropicHdeRemeshingParameters
 
-\return no parameters: all have their defaults. They can be continued with all names of this package.
+\brief begins without a parameter: all have their defaults. The sequence can be continued with all names of this package.
 */
 inline Default_named_parameters default_values() { return CGAL::parameters::default_values(); }
 

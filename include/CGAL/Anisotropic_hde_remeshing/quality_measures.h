@@ -162,6 +162,8 @@ inline void measure_faces(const Embedded_mesh& embedded, Embedding_measures& mea
 
 } // namespace internal
 
+/// \ingroup PkgAnisotropicHdeRemeshingMeasures
+///
 /// the aspect ratio \f$ q_T \f$ of the triangle of three points, infinite if they are collinear.
 /// \tparam Point_3 a point type of a CGAL kernel
 template <typename Point_3>
@@ -175,7 +177,7 @@ double aspect_ratio(const Point_3& p, const Point_3& q, const Point_3& r)
 }
 
 /*!
-\ingroup PkgAnisotropicHdeRemeshingRef
+\ingroup PkgAnisotropicHdeRemeshingMeasures
 
 \brief counts the elements of a triangle mesh, its components and boundary loops.
 
@@ -220,7 +222,7 @@ Topology_measures measure_topology(const TriangleMesh& tmesh, const NamedParamet
 }
 
 /*!
-\ingroup PkgAnisotropicHdeRemeshingRef
+\ingroup PkgAnisotropicHdeRemeshingMeasures
 
 \brief measures the aspect ratios of the faces of a triangle mesh, and counts its folded edges.
 
@@ -266,7 +268,7 @@ Shape_measures measure_shape(const TriangleMesh& tmesh, const NamedParameters& n
 }
 
 /*!
-\ingroup PkgAnisotropicHdeRemeshingRef
+\ingroup PkgAnisotropicHdeRemeshingMeasures
 
 \brief measures a triangle mesh in the six-dimensional embedding by the unit normals of an implicit function.
 

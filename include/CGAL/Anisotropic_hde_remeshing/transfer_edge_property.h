@@ -78,13 +78,13 @@ constexpr bool accepts_edge_transfer()
 } // namespace internal
 
 /*!
-\ingroup PkgAnisotropicHdeRemeshingRef
+\ingroup PkgAnisotropicHdeRemeshingTransfer
 
 carries a property of edges along curves, such as the kind or the number of a feature line, from the mesh that was remeshed to the
 result. The curves are the marked edges, usually those of `edge_is_constrained_map` before and after the call: they stay on their
-polylines. A marked edge of the result gets the value of the marked edge of the input that is closest to it. Where there are several
-values, it gets the one with the largest part of its length, as far as 8 points spread evenly over it tell. Edges that are not marked
-are not written.
+polylines. A marked edge of the result gets the value of the marked edge of the input that is closest to it. If there are several
+values, it gets the one with the largest part of its length, judged by 8 points that are spread evenly over it. Edges that are not
+marked are not written.
 
 \tparam InputMesh a model of `VertexListGraph` and `EdgeListGraph`
 \tparam InputIsMarkedMap a model of `ReadablePropertyMap` with the edges of `input` as keys and `bool` as values
@@ -101,12 +101,12 @@ are not written.
 \param input_property the values at these edges
 \param output the result
 \param output_is_marked which edges of it are curves
-\param output_property is told the values
+\param output_property gets the values
 \param np1 optional named parameters for `input`: `vertex_point_map`
 \param np2 optional named parameters for `output`: `vertex_point_map`
 
-\throw std::invalid_argument if a coordinate at a marked edge is not finite, or `output` has marked edges and `input` none of positive
-       length; nothing is written then
+\throw std::invalid_argument if a coordinate at a marked edge is not finite, or `output` has marked edges and `input` none of
+       positive length; nothing is written then
 
 \sa `transfer_face_property()`
 */

@@ -66,17 +66,17 @@ constexpr bool accepts_face_transfer()
 } // namespace internal
 
 /*!
-\ingroup PkgAnisotropicHdeRemeshingRef
+\ingroup PkgAnisotropicHdeRemeshingTransfer
 
-carries a property of the faces, such as labels or materials, from the mesh that was remeshed to the result. A face gets the value of
-the face of the input below it. Where there are several values, it gets the one with the largest part of its area, as far as 16 points
-spread evenly over it tell. Below means closest. The values are not interpolated.
+carries a property of the faces, such as labels or materials, from the mesh that was remeshed to the result. A face gets the
+value of the closest face of the input. If there are several values, it gets the one with the largest part of its area, judged by 16
+points that are spread evenly over it. The values are not interpolated.
 
-`face_patch_map` of `CGAL::anisotropic_hde_remeshing()` does more: it keeps the lines between labels. This function is for labels that
-shall not constrain the mesh.
+`face_patch_map` of `CGAL::anisotropic_hde_remeshing()` does more: it keeps the lines between labels. This function is for labels
+that shall not constrain the mesh.
 
-\tparam ConcurrencyTag `Sequential_tag` (the default), `Parallel_tag` or `Parallel_if_available_tag`: how the closest faces are found.
-        The property maps are asked by one thread.
+\tparam ConcurrencyTag `Sequential_tag` (the default), `Parallel_tag` or `Parallel_if_available_tag`: how the closest faces are
+       found. The property maps are asked by one thread.
 \tparam InputMesh a model of `VertexListGraph`, `EdgeListGraph`, `HalfedgeListGraph` and `FaceListGraph`
 \tparam InputPropertyMap a model of `ReadablePropertyMap` with the faces of `input` as keys and values that can be copied and be
         compared by `==`
@@ -88,7 +88,7 @@ shall not constrain the mesh.
 \param input a copy of the mesh that was given to `CGAL::anisotropic_hde_remeshing()`
 \param input_property the values at its faces
 \param output the result
-\param output_property is told the values
+\param output_property gets the values
 \param np1 optional named parameters for `input`: `vertex_point_map` and `geom_traits`
 \param np2 optional named parameters for `output`: `vertex_point_map` and `geom_traits`
 

@@ -35,7 +35,7 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 
 /*!
-\ingroup PkgAnisotropicHdeRemeshingRef
+\ingroup PkgAnisotropicHdeRemeshingTransfer
 
 The mean of three values with given weights. The weights are not negative and have the sum 1. A value of weight 1 is the mean,
 bit by bit. The values are
@@ -47,6 +47,7 @@ bit by bit. The values are
 */
 struct Linear_interpolation
 {
+  /// \brief the mean of `values` with `weights`
   /// \tparam Value one of the types above
   template <typename Value>
   Value operator()(const std::array<Value, 3>& values, const std::array<double, 3>& weights) const
@@ -94,13 +95,14 @@ private:
 };
 
 /*!
-\ingroup PkgAnisotropicHdeRemeshingRef
+\ingroup PkgAnisotropicHdeRemeshingTransfer
 
 The value of the largest weight of three: that of the nearest vertex of the face, in barycentric coordinates. It is for labels, which
 must not be interpolated. If weights are equal, the value that comes first is taken.
 */
 struct Nearest_value
 {
+  /// \brief the one of `values` with the largest of `weights`
   /// \tparam Value any type that can be copied
   template <typename Value>
   Value operator()(const std::array<Value, 3>& values, const std::array<double, 3>& weights) const
@@ -170,7 +172,7 @@ void transfer_vertex_values(const InputMesh& input, const InputPropertyMap input
 } // namespace internal
 
 /*!
-\ingroup PkgAnisotropicHdeRemeshingRef
+\ingroup PkgAnisotropicHdeRemeshingTransfer
 
 carries a property of the vertices, such as colours, texture coordinates or a solution, from the mesh that was remeshed to the
 result. Every vertex of the result comes from a place in a face of the input. It gets the mean of the values at the vertices of
@@ -188,7 +190,7 @@ this face, weighted by its barycentric coordinates. Discontinuities at vertices,
 \param input_property the values at its vertices
 \param output the result
 \param vertex_location the map that was given by the name `vertex_location_map`
-\param output_property is told the values
+\param output_property gets the values
 \param interpolation how three values are joined to one: `Nearest_value()` for labels
 
 \throw std::invalid_argument if a vertex has no location, or one on a face that `input` does not have; nothing is written then

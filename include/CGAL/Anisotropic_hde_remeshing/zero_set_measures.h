@@ -70,15 +70,15 @@ double distance_of_sample(const Area_sampler& sampler, const std::size_t i, cons
 } // namespace internal
 
 /*!
-\ingroup PkgAnisotropicHdeRemeshingRef
+\ingroup PkgAnisotropicHdeRemeshingMeasures
 
 \brief measures how far a triangle mesh is from the zero set of an implicit function.
 
 Newton's method leads from a point to the zero set, along the gradient. Steps along the tangent planes lead on to the nearest
-point of the zero set around. The distance to that point is what is measured: it is not less than the true distance, and the
-same up to a ten-thousandth wherever the nearest point of the zero set is found. Where no way leads to the zero set, the
-distance is bounded by way of a neighbouring vertex: the distance to this vertex plus its distance to the zero set. The distance
-is infinite where no vertex around has found the zero set.
+point of the zero set around. The distance to that point is measured. It is not less than the true distance, and the same up
+to a ten-thousandth wherever the nearest point of the zero set is found. If no point of the zero set is found, the distance is
+bounded by that of a neighbouring vertex: the distance to this vertex plus its distance to the zero set. It is infinite if no
+vertex around has found the zero set.
 
 The sampled points are spread evenly over the area, without random numbers. So a second call and another number of threads give
 the same result.
