@@ -312,8 +312,8 @@ refuses 1 "-1" $sphere precious.off --shape-weight -1
 
 # ------------------------------------------------------------------------------------------------------------- bad files
 refuses 1 "missing.off" missing.off precious.off --json precious.json
-refuses 1 "'.xyz'" missing.xyz precious.off
-refuses 1 "'.xyz'" $sphere out.xyz
+refuses 1 "'.abc'" missing.abc precious.off
+refuses 1 "only read, as they have no faces" $sphere out.xyz
 refuses 1 "no extension" $sphere precious
 refuses 1 "target" target precious.off
 mkdir folder.off
@@ -338,7 +338,7 @@ done
 printf 'OFF\n0 0 0\n' >no_faces.off
 refuses 1 "no faces" no_faces.off precious.off
 printf 'OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n' >points_only.off
-refuses 1 "no faces" points_only.off precious.off
+refuses 1 "3 points and no faces: too few" points_only.off precious.off
 printf 'OFF\n3 1 0\n0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n' >nan.off
 refuses 1 "'nan'" nan.off precious.off
 printf 'OFF\n3 1 0\n0 0 0\n1 0 inf\n0 1 0\n3 0 1 2\n' >inf.off

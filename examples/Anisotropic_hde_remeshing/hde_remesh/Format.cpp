@@ -30,12 +30,18 @@ Format format_of(const std::string& file_name)
     return Format::STL;
   if (extension == ".vtp")
     return Format::VTP;
+  if (extension == ".xyz" || extension == ".pwn")
+    return Format::XYZ;
+  if (extension == ".las" || extension == ".laz")
+    throw Failure(in_quotes(file_name) + ": LAS files are not read, as that takes LASlib; as PLY or XYZ, the points are");
   throw Failure(extension.empty() ? in_quotes(file_name) + " has no extension: .off, .obj, .ply, .stl or .vtp tells the format"
                                   : in_quotes(file_name) + " has the unknown extension " + in_quotes(extension) +
                                         ": .off, .obj, .ply, .stl and .vtp are known");
 }
 
 bool is_read(const Format format) { return format != Format::VTP; }
+
+bool is_written(const Format format) { return format != Format::XYZ; }
 
 bool holds_arrays(const Format format) { return format == Format::PLY || format == Format::VTP; }
 

@@ -19,14 +19,16 @@ enum class Format
   OBJ,
   PLY,
   STL,
-  VTP
+  VTP,
+  XYZ
 };
 
 // the format that the extension of a file name stands for, in either case
 Format format_of(const std::string& file_name);
 
-// whether it is read, too
+// whether it is read, too; whether it is written
 bool is_read(Format format);
+bool is_written(Format format);
 
 // whether it holds arrays of numbers of vertices and faces
 bool holds_arrays(Format format);

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -214,6 +215,18 @@ Soup soup_of_mesh(const Mesh& mesh)
   return soup;
 }
 
+namespace {
+
+template <typename Number>
+void add_vertex_property(const Array& array, Mesh& mesh)
+{
+  auto property = mesh.add_property_map<Mesh::Vertex_index, Number>(array.name).first;
+  for (const Mesh::Vertex_index v : mesh.vertices())
+    property[v] = static_cast<Number>(array.values[v]);
+}
+
+} // namespace
+
 Mesh mesh_with_arrays(const Soup& soup)
 {
   Mesh mesh;
@@ -223,11 +236,10 @@ Mesh mesh_with_arrays(const Soup& soup)
   for (const std::vector<std::size_t>& f : soup.faces)
     mesh.add_face(vertices[f[0]], vertices[f[1]], vertices[f[2]]);
   for (const Array& array : soup.vertex_arrays)
-  {
-    auto property = mesh.add_property_map<Mesh::Vertex_index, double>(array.name).first;
-    for (const Mesh::Vertex_index v : mesh.vertices())
-      property[v] = array.values[v];
-  }
+    if (array.are_bytes)
+      add_vertex_property<std::uint8_t>(array, mesh);
+    else
+      add_vertex_property<double>(array, mesh);
   for (const Array& array : soup.face_arrays)
   {
     auto property = mesh.add_property_map<Mesh::Face_index, double>(array.name).first;

@@ -27,6 +27,7 @@ struct Checked_mesh
   Mesh mesh;
   std::size_t number_of_isolated_vertices = 0; // points without a face, which the mesh does not have
   std::vector<std::size_t> positions;          // of its vertices among the points
+  Soup points;                                 // of which the mesh was made, if the file has no faces
 };
 
 // The triangle mesh of a soup, with the vertices and faces in their order. Fails, with the name of the file and the

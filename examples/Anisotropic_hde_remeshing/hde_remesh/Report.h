@@ -10,6 +10,7 @@
 #define HDE_REMESH_REPORT_H
 
 #include "Figures.h"
+#include "Points_figures.h"
 #include "flat_faces.h"
 #include "repair.h"
 
@@ -30,6 +31,7 @@ namespace hde_remesh {
 struct Report
 {
   std::string input, output, version;
+  std::optional<Points_figures> points; // if IN has no faces
   std::size_t number_of_isolated_vertices = 0;
   std::optional<Repair> repair;            // if it was asked for
   std::size_t number_of_merged_points = 0; // within the tolerance of others, which closes cracks

@@ -17,6 +17,7 @@
 #include "describe.h"
 #include "measure.h"
 #include "mesh_file.h"
+#include "mesh_of_points.h"
 #include "options.h"
 #include "progress.h"
 #include "read_mesh.h"
@@ -70,6 +71,8 @@ void check_files(const Options& options)
   const Format input = format_of(options.input), output = format_of(options.output);
   if (!is_read(input))
     throw Failure("IN is " + in_quotes(options.input) + ": files of this format are only written");
+  if (!is_written(output))
+    throw Failure("OUT is " + in_quotes(options.output) + ": files of this format are only read, as they have no faces");
   if (options.arrays && !holds_arrays(output))
     throw Failure("--arrays needs OUT to be a .ply or a .vtp file, not " + in_quotes(options.output), STATUS_USAGE);
   const Whole_file file(options.output);
@@ -149,11 +152,16 @@ void write_beside(const std::string& file_name, const std::string& text)
   }
 }
 
-void write_mesh(const Mesh& input, const Remeshed& remeshed, const Options& options)
+// with colours and other numbers of points, where OUT has a place for them
+void write_mesh(const Checked_mesh& input, const Remeshed& remeshed, const Options& options, Report& report)
 {
   Soup soup = soup_of_mesh(remeshed.mesh);
   if (options.arrays)
-    add_arrays(figures_of_elements(remeshed.mesh, remeshed.function, remeshed.result.sigma, input), soup);
+    add_arrays(figures_of_elements(remeshed.mesh, remeshed.function, remeshed.result.sigma, input.mesh), soup);
+  if (holds_arrays(format_of(options.output)))
+    carry_to(soup, input.points, report);
+  else if (!input.points.vertex_arrays.empty())
+    report.warnings.push_back("OUT has no place for colours and other numbers of the points: PLY and VTP files have");
   write_soup(soup, options.output);
   is_output_written() = 1;
 }
@@ -178,17 +186,15 @@ void print(const Report& report, const Options& options)
     throw Failure("cannot write to the standard output (the mesh is written)");
 }
 
-void run(const Options& options)
+void run(const Options& all_options)
 {
   Report report;
-  Progress progress(!options.quiet);
-  Stopwatch stopwatch;
+  Progress progress(!all_options.quiet);
   const auto end_stage = [&](const char* name, const double seconds) { report.stages.emplace_back(name, seconds); };
 
-  check_files(options);
-  progress.stage("reading");
-  Checked_mesh input = read_mesh(options, report);
-  end_stage("reading", stopwatch.lap());
+  check_files(all_options);
+  Checked_mesh input = read_mesh(all_options, report, progress);
+  const Options options = report.points ? without_noise(all_options) : all_options;
   progress.clear();
   for (const std::string& text : report.notes)
     note(options, text);
@@ -203,9 +209,9 @@ void run(const Options& options)
   }
   end_stage("remeshing", remeshed.result.remeshing_seconds);
 
-  stopwatch.lap();
+  Stopwatch stopwatch;
   progress.stage("writing");
-  write_mesh(input.mesh, remeshed, options);
+  write_mesh(input, remeshed, options, report);
   end_stage("output", remeshed.result.output_seconds + stopwatch.lap());
 
   if (options.quiet && options.json.empty() && options.report.empty())

@@ -77,6 +77,8 @@ Soup parse(const std::string& text, const Format format)
     return read_obj(text);
   case Format::PLY:
     return read_ply(text);
+  case Format::XYZ:
+    return read_xyz(text);
   case Format::STL:
   case Format::VTP:
     break;
@@ -109,6 +111,8 @@ void write_as(std::ostream& stream, const Format format, const Soup& soup)
   case Format::VTP:
     write_vtp(soup, stream);
     is_written = bool(stream);
+    break;
+  case Format::XYZ: // of points only
     break;
   }
   if (!is_written)

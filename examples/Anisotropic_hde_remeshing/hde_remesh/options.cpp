@@ -27,7 +27,7 @@ namespace {
 
 const char* help_header()
 {
-  return "Remeshes the surface of a triangle mesh with triangles that follow its curvature.\n\n"
+  return "Remeshes the surface of a triangle mesh, or of points, with triangles that follow its curvature.\n\n"
          "If only a number of triangles is given, of at most 3/4 of those of IN, or if these are the\n"
          "long ones of a CAD program, the distance to IN leads, measured both ways. Else it goes as\n"
          "follows.\n\n"
@@ -35,13 +35,17 @@ const char* help_header()
          "functions, whose zero set is the surface. New vertices are put on that surface, not on the\n"
          "flat triangles of IN. Lengths are measured in six dimensions, position and sigma times unit\n"
          "normal: an edge across a bend is longer than one along it, so that triangles of equal 6D\n"
-         "edges are short across bends and long along them.";
+         "edges are short across bends and long along them.\n\n"
+         "If IN has points and no faces, a surface is made of them first, closed where points are missing:\n"
+         "noise is estimated, outliers are left out, and normals are estimated where there are none. Then\n"
+         "IN is the mesh of that surface. Colours and other numbers of points go to OUT, a PLY or VTP file.";
 }
 
 const char* help_footer()
 {
   return "Formats: OFF, OBJ, PLY and STL, by the extension of the file name, and VTP for OUT only. PLY and\n"
-         "STL are written binary; STL keeps 7 digits only.\n"
+         "STL are written binary; STL keeps 7 digits only. Points come as OFF, OBJ or PLY without faces, or as\n"
+         "XYZ: coordinates, then a normal or a colour, then any numbers.\n"
          "Units: lengths are in the unit of the mesh, but --sigma and --error are fractions of the\n"
          "diagonal D of the bounding box of IN. A larger sigma gives longer, thinner triangles along\n"
          "the bends; 0 gives triangles of equal sides everywhere. Useful values of --sigma are .005 to\n"
@@ -55,7 +59,8 @@ const char* help_footer()
          "  hde_remesh bunny.off out.off --error .001            within a thousandth of D\n"
          "  hde_remesh bunny.off out.vtp --arrays --report out.html\n"
          "  hde_remesh part.stl out.stl --metric 2 --faces 5000 --fit\n"
-         "  hde_remesh part.stl out.stl --sharp 30 --sigma .03   edges and corners are kept\n\n"
+         "  hde_remesh part.stl out.stl --sharp 30 --sigma .03   edges and corners are kept\n"
+         "  hde_remesh scan.xyz out.ply --faces 20000 --trim .5 --keep-largest\n\n"
          "Exit status: 0 done; 1 the input, a value or the output cannot be used; 2 the command line\n"
          "cannot be understood; 130 cancelled by Ctrl-C. OUT and FILE are written whole or not at all:\n"
          "without exit status 0, files of these names are as they were, but where the message says so.";
@@ -162,7 +167,7 @@ void add_function_options(CLI::App& app, Options& o)
          },
          "standard deviation of the noise of the vertices, in the unit of the mesh, which the surface misses them by; or "
          "auto:\n"
-         "estimated (default: 0)")
+         "estimated (default: 0; of points: auto)")
       ->type_name("FLOAT|auto")
       ->group(group);
   app.add_flag("--smooth-edges", o.smooth_edges,
@@ -170,6 +175,21 @@ void add_function_options(CLI::App& app, Options& o)
       ->group(group);
   app.add_flag("--vertices-only", o.vertices_only,
                "put no points on facets that are large for what is around them: there the surface swells")
+      ->group(group);
+}
+
+void add_points_options(CLI::App& app, Options& o)
+{
+  const std::string group = "Points";
+  app.add_flag("--detect-outliers,!--keep-outliers", o.detect_outliers,
+               "leave out points that their neighbours contradict, and turn or drop such normals (default), or not")
+      ->group(group);
+  app.add_option("--trim", o.trim,
+                 "cut the surface off where no point is nearer than DISTANCE, in the unit of the points (default: it is\n"
+                 "closed). At least two spacings of the points")
+      ->type_name("DISTANCE")
+      ->group(group);
+  app.add_flag("--keep-largest", o.keep_largest, "remove all components of the surface but the one with the most triangles")
       ->group(group);
 }
 
@@ -273,6 +293,7 @@ void check_values(const Options& o)
   require_length("--shape", o.shape);
   require("--shape", o.shape, has_shape(o.kernel), "left out: the kernel has no shape parameter");
   require_length("--smoothing", o.smoothing, true);
+  require_length("--trim", o.trim);
   require_count("--iterations", o.iterations, true);
   require_count("--relaxation-steps", o.relaxation_steps, true);
   require_length("--smoothing-ratio", o.smoothing_ratio, true);
@@ -332,7 +353,9 @@ std::optional<Options> read_command_line(const int argc, char** argv)
   app.footer(help_footer());
   app.set_version_flag("--version", version_text());
   app.get_formatter()->column_width(34);
-  app.add_option("IN", o.input, "the mesh: triangles, manifold, with or without boundary")->required()->type_name("");
+  app.add_option("IN", o.input, "the mesh: triangles, manifold, with or without boundary; or points")
+      ->required()
+      ->type_name("");
   app.add_option("OUT", o.output, "where the new mesh is written")->required()->type_name("");
   auto* repair = app.add_flag("--repair", o.repair,
                               "mend IN first: merge equal points, close cracks, drop double faces and walls between solids,\n"
@@ -345,6 +368,7 @@ std::optional<Options> read_command_line(const int argc, char** argv)
   add_embedding_options(app, o);
   app.get_option("--field")->excludes(repair)->excludes(app.get_option("--merge"));
   add_function_options(app, o);
+  add_points_options(app, o);
   add_remeshing_options(app, o);
   add_report_options(app, o);
   app.add_option("--threads", o.threads, "use at most this number of threads (default: all); the result is the same");

@@ -34,6 +34,8 @@ struct Options
   std::optional<long long> patches;
   std::optional<double> shape, overlap, offset, smoothing;
   bool automatic_smoothing = false, vertices_only = false, smooth_edges = false;
+  std::optional<double> trim; // a length; this and what follows is for points
+  bool detect_outliers = true, keep_largest = false;
   std::optional<long long> iterations, relaxation_steps;
   std::optional<double> smoothing_ratio, collapse_ratio, split_ratio;
   std::string scheme = "default";

@@ -173,6 +173,8 @@ private:
   void print_work()
   {
     const Hde::Remeshing_result& result = m_report.result;
+    if (m_report.points)
+      print_points(*m_report.points);
     if (m_report.pieces)
       print_pieces(*m_report.pieces);
     else if (m_report.rbf)
@@ -190,6 +192,21 @@ private:
       print_projections(result);
     m_stream << "D = " << number(m_report.diagonal, 6) << ", the diagonal of the bounding box\n";
     m_stream << m_report.input << " -> " << m_report.output << '\n';
+  }
+
+  void print_points(const Points_figures& points)
+  {
+    const Hde::Reconstruction_result& found = points.found;
+    m_stream << "points: " << points.number << ", " << points.number_without_normal << " without normal"
+             << (points.are_normals_estimated ? " of those estimated" : "") << ", " << found.number_of_outliers << " outliers, "
+             << found.number_of_wrong_normals << " wrong normals; spacing " << relative(found.spacing) << ", noise "
+             << relative(found.noise) << "; " << found.number_of_closed_holes << " holes closed, " << found.number_of_components
+             << " components, " << found.number_of_missed_places << " places missed, " << found.number_of_faces << " faces";
+    if (points.trim)
+      m_stream << ", " << points.number_of_faces_after_trimming << " after trimming at " << relative(*points.trim);
+    if (points.number_of_removed_components > 0)
+      m_stream << "; " << points.number_of_removed_components << " components removed";
+    m_stream << '\n';
   }
 
   void print_projections(const Hde::Remeshing_result& result)

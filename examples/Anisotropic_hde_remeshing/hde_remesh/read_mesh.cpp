@@ -9,6 +9,7 @@
 #include "read_mesh.h"
 #include "Failure.h"
 #include "Format.h"
+#include "Stopwatch.h"
 #include "cracks.h"
 #include "creases.h"
 #include "field_file.h"
@@ -17,6 +18,7 @@
 #include "intersecting_faces.h"
 #include "measure.h"
 #include "mesh_file.h"
+#include "mesh_of_points.h"
 #include "repair.h"
 #include "rounding.h"
 
@@ -156,14 +158,10 @@ void untangle_faces(Mesh& mesh, Report& report)
                               " pairs of faces of IN intersect, and CGAL's repair has not helped");
 }
 
-} // namespace
-
-Checked_mesh read_mesh(const Options& options, Report& report)
+Checked_mesh checked_mesh(Soup soup, const Options& options, Report& report)
 {
-  Soup soup = read_soup(options.input);
+  check_options_of_mesh(options);
   check_points(soup, options.input);
-  report.notes = soup.notes;
-  report.rounding = soup.rounding;
   mend(options, soup, report);
   Checked_mesh input = mesh_of_soup(soup, options.input);
   if (input.number_of_isolated_vertices > 0)
@@ -180,6 +178,34 @@ Checked_mesh read_mesh(const Options& options, Report& report)
   if (options.repair)
     untangle_faces(input.mesh, report);
   find_creases(input.mesh, options);
+  return input;
+}
+
+Checked_mesh checked_mesh_of_points(Soup points, const Options& options, Report& report, Progress& progress)
+{
+  Checked_mesh input;
+  input.mesh = mesh_of_points(points, options, report, progress);
+  input.points = std::move(points);
+  find_creases(input.mesh, options);
+  return input;
+}
+
+} // namespace
+
+Checked_mesh read_mesh(const Options& options, Report& report, Progress& progress)
+{
+  const Stopwatch stopwatch;
+  progress.stage("reading");
+  Soup soup = read_soup(options.input);
+  report.notes = soup.notes;
+  report.rounding = soup.rounding;
+  const bool is_of_points = soup.is_of_points();
+  if (is_of_points)
+    report.stages.emplace_back("reading", stopwatch.seconds());
+  Checked_mesh input = is_of_points ? checked_mesh_of_points(std::move(soup), options, report, progress)
+                                    : checked_mesh(std::move(soup), options, report);
+  if (!is_of_points)
+    report.stages.emplace_back("reading", stopwatch.seconds());
   return input;
 }
 

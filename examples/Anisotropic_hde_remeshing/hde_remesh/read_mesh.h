@@ -12,12 +12,14 @@
 #include "Mesh.h"
 #include "Report.h"
 #include "options.h"
+#include "progress.h"
 
 namespace hde_remesh {
 
 // Reads IN, mends it as far as the options say, and finds its creases. What there is to tell of it goes into the report: what was
 // repaired, and notes and warnings, a line each.
-Checked_mesh read_mesh(const Options& options, Report& report);
+// the mesh of IN, or that of the surface through its points, if it has no faces
+Checked_mesh read_mesh(const Options& options, Report& report, Progress& progress);
 
 } // namespace hde_remesh
 

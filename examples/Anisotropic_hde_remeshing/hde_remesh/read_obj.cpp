@@ -6,7 +6,8 @@
 //
 // Author(s)     : The Anisotropic_hde_remeshing developers
 
-// OBJ: the vertices and the faces. All else is passed over: normals, textures, groups, points, lines, curves.
+// OBJ: the vertices and the faces; the normals of vertices without faces, if there are as many. All else is passed over: textures,
+// groups, points, lines, curves.
 
 #include "readers.h"
 #include "rounding.h"
@@ -32,12 +33,16 @@ public:
       const std::string_view keyword = m_reader.word([] { return std::string(); });
       if (keyword == "v")
         read_point();
+      else if (keyword == "vn" && m_soup.faces.empty())
+        read_normal();
       else if (keyword == "f")
         read_face();
       else if (!begins_with_letters(keyword))
         m_reader.fail("v, f or another keyword of OBJ", keyword);
     }
     check_faces();
+    if (!m_soup.is_of_points() || m_soup.normals.size() != m_soup.points.size())
+      m_soup.normals.clear();
     m_soup.rounding = rounding_of_text(m_soup.points, m_reader);
     return std::move(m_soup);
   }
@@ -61,6 +66,15 @@ private:
       x = m_reader.finite_number(m_reader.word(expected), expected);
     }
     m_soup.points.emplace_back(c[0], c[1], c[2]);
+  }
+
+  // of meshes no one asks for it
+  void read_normal()
+  {
+    double n[3] = {0, 0, 0};
+    for (std::size_t k = 0; k < 3 && !m_reader.is_line_done(); ++k)
+      Text_reader::to_number(m_reader.word([] { return std::string(); }), n[k]);
+    m_soup.normals.emplace_back(n[0], n[1], n[2]);
   }
 
   // vertex, vertex/texture, vertex//normal or vertex/texture/normal; below zero, counted back from the last one

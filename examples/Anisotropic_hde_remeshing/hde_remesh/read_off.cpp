@@ -7,7 +7,7 @@
 // Author(s)     : The Anisotropic_hde_remeshing developers
 
 // OFF, with or without the keyword, the number of edges, normals, colours and texture coordinates, as text or binary. One element
-// a line, or, if there are fewer lines than elements, a stream of numbers.
+// a line, or, if there are fewer lines than elements, a stream of numbers. Normals are read of vertices without faces.
 
 #include "Byte_reader.h"
 #include "readers.h"
@@ -150,18 +150,40 @@ private:
     for (double& x : c)
       x = m_reader.finite_number(m_reader.word(expected), expected);
     m_soup.points.emplace_back(c[0], c[1], c[2]);
+    const bool is_normal_read = is_normal_wanted();
+    if (is_normal_read)
+      read_normal(i);
     if (m_is_by_lines)
       m_reader.skip_line();
     else
-      skip_attributes(i);
+      skip_attributes(i, is_normal_read);
   }
 
-  void skip_attributes(const std::size_t i)
+  // only points need it
+  bool is_normal_wanted() const { return m_has_normals && m_number_of_faces == 0; }
+
+  void read_normal(const std::size_t i)
+  {
+    const auto expected = [&] { return "a part of the normal of vertex " + ordinal(i, m_number_of_points); };
+    if (m_is_by_lines && m_reader.words().size() < 6)
+      throw Unreadable("line " + std::to_string(m_reader.line_number()) + ": expected a normal of vertex " +
+                       ordinal(i, m_number_of_points) + " in the same line");
+    double n[3];
+    for (double& x : n)
+    {
+      const std::string_view word = m_reader.word(expected);
+      if (!Text_reader::to_number(word, x))
+        m_reader.fail(expected(), word);
+    }
+    m_soup.normals.emplace_back(n[0], n[1], n[2]);
+  }
+
+  void skip_attributes(const std::size_t i, const bool is_normal_read)
   {
     const auto expected = [&] { return "an attribute of vertex " + ordinal(i, m_number_of_points); };
     if (m_has_colours)
       m_reader.fail("vertices with colours in a line each", m_reader.is_line_done() ? "none" : m_reader.word(expected));
-    for (int k = 0; k < (m_has_normals ? 3 : 0) + (m_has_texture ? 2 : 0); ++k)
+    for (int k = 0; k < (m_has_normals && !is_normal_read ? 3 : 0) + (m_has_texture ? 2 : 0); ++k)
       m_reader.word(expected);
   }
 
@@ -223,8 +245,15 @@ private:
     for (double& x : c)
       x = bytes.finite_number<float>([&] { return "a coordinate of vertex " + ordinal(i, m_number_of_points); });
     m_soup.points.emplace_back(c[0], c[1], c[2]);
-    for (int k = (m_has_normals ? 3 : 0) + (m_has_colours ? 4 : 0) + (m_has_texture ? 2 : 0); k > 0; --k)
-      bytes.number<float>([&] { return "an attribute of vertex " + ordinal(i, m_number_of_points); });
+    const auto attribute = [&]
+    { return double(bytes.number<float>([&] { return "an attribute of vertex " + ordinal(i, m_number_of_points); })); };
+    double n[3] = {0, 0, 0};
+    for (int k = 0; k < (m_has_normals ? 3 : 0); ++k)
+      n[k] = attribute();
+    if (is_normal_wanted())
+      m_soup.normals.emplace_back(n[0], n[1], n[2]);
+    for (int k = (m_has_colours ? 4 : 0) + (m_has_texture ? 2 : 0); k > 0; --k)
+      attribute();
   }
 
   void read_face(const std::size_t i, Byte_reader& bytes)

@@ -6,7 +6,8 @@
 //
 // Author(s)     : The Anisotropic_hde_remeshing developers
 
-// PLY: x, y and z of the vertices, the faces, and a further property of the vertices. All else is passed over.
+// PLY: x, y and z of the vertices, the faces, and a further property of the vertices. Of vertices without faces the normals and all
+// further numbers are read. All else is passed over.
 
 #include "Byte_reader.h"
 #include "ply_header.h"
@@ -179,14 +180,30 @@ private:
   std::size_t m_begin = 0; // of the last number
 };
 
+bool has_number(const Ply_element& element, const std::string& name)
+{
+  return std::any_of(element.properties.begin(), element.properties.end(),
+                     [&](const Ply_property& property) { return property.name == name && !property.size_type; });
+}
+
+bool has_faces(const Ply_header& header)
+{
+  return std::any_of(header.elements.begin(), header.elements.end(),
+                     [](const Ply_element& element) { return element.name == "face" && element.number > 0; });
+}
+
 template <typename Numbers>
 class Data_reader
 {
+  static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
+
 public:
   // `wanted` is a further property of the vertices, if it is not empty
   Data_reader(const std::string& text, const Ply_header& header, const std::string& wanted)
     : m_header(header), m_numbers(text, header), m_wanted(wanted)
   {
+    if (!has_faces(header))
+      prepare_points();
   }
 
   void read()
@@ -209,11 +226,40 @@ public:
   std::pair<Soup, std::vector<double>> take() { return {std::move(m_soup), std::move(m_values)}; }
 
 private:
+  // What becomes of the numbers of a point: those of its normal, and all but the coordinates in an array each.
+  void prepare_points()
+  {
+    for (const Ply_element& element : m_header.elements)
+      if (element.name == "vertex")
+      {
+        const auto has = [&](const std::string& name) { return has_number(element, name); };
+        m_has_normals = has("nx") && has("ny") && has("nz");
+        for (const Ply_property& property : element.properties)
+        {
+          const std::string& name = property.name;
+          const bool is_number = !property.size_type, is_coordinate = name == "x" || name == "y" || name == "z",
+                     is_of_normal = m_has_normals && (name == "nx" || name == "ny" || name == "nz");
+          m_arrays.push_back(is_number && !is_coordinate && !is_of_normal ? m_soup.vertex_arrays.size() : none);
+          if (m_arrays.back() != none)
+            m_soup.vertex_arrays.push_back(Array{name, {}, property.type == Ply_type::UINT8});
+        }
+      }
+  }
+
+  void keep_of_point(const Ply_property& property, const std::size_t place, const double value, double (&normal)[3])
+  {
+    if (place < m_arrays.size() && m_arrays[place] != none)
+      m_soup.vertex_arrays[m_arrays[place]].values.push_back(value);
+    else if (m_has_normals && property.name.size() == 2 && property.name[0] == 'n')
+      normal[property.name[1] - 'x'] = value;
+  }
+
   void read_vertex(const Ply_element& element, const std::size_t i)
   {
-    double c[3] = {0, 0, 0};
-    for (const Ply_property& property : element.properties)
+    double c[3] = {0, 0, 0}, normal[3] = {0, 0, 0};
+    for (std::size_t place = 0; place < element.properties.size(); ++place)
     {
+      const Ply_property& property = element.properties[place];
       const auto expected = [&] { return property.name + " of vertex " + ordinal(i, element.number); };
       const std::size_t axis =
           property.size_type || property.name.size() != 1 ? std::string::npos : std::string("xyz").find(property.name);
@@ -231,9 +277,12 @@ private:
         const double value = m_numbers.number(property.type, expected);
         if (property.name == m_wanted)
           m_values.push_back(value);
+        keep_of_point(property, place, value, normal);
       }
     }
     m_soup.points.emplace_back(c[0], c[1], c[2]);
+    if (m_has_normals)
+      m_soup.normals.emplace_back(normal[0], normal[1], normal[2]);
   }
 
   // only the faces are kept of it
@@ -298,37 +347,39 @@ private:
   Soup m_soup;
   std::vector<double> m_values;
   Ply_type m_type_of_coordinates = Ply_type::FLOAT64;
+  bool m_has_normals = false;        // of points
+  std::vector<std::size_t> m_arrays; // of points, for each property of a vertex
 };
 
-// what the file must have, if it has vertices or faces
+// what the file must have
 void check_header(const Ply_header& header)
 {
-  const auto has = [](const Ply_element& element, const std::string& name, const bool is_list)
+  const auto has_list = [](const Ply_element& element, const std::string& name)
   {
     return std::any_of(element.properties.begin(), element.properties.end(),
-                       [&](const Ply_property& property)
-                       { return property.name == name && property.size_type.has_value() == is_list; });
+                       [&](const Ply_property& property) { return property.name == name && property.size_type; });
   };
   const auto fail = [&header](const std::string& expected) {
     throw Unreadable("line " + std::to_string(header.number_of_lines) + ": expected " + expected + " in the header before it");
   };
-  bool has_vertices = false, has_faces = false;
+  bool has_vertices = false;
   for (const Ply_element& element : header.elements)
     if (element.name == "vertex")
     {
       has_vertices = true;
       for (const char* name : {"x", "y", "z"})
-        if (!has(element, name, false))
+        if (!has_number(element, name))
           fail(std::string("a property ") + name + " of the vertices");
     }
-    else if (element.name == "face")
+    else if (element.name == "face" && element.number > 0)
     {
-      has_faces = true;
-      if (!has(element, "vertex_indices", true) && !has(element, "vertex_index", true))
+      if (!has_list(element, "vertex_indices") && !has_list(element, "vertex_index"))
         fail("a list vertex_indices of the faces");
     }
-  if (!has_vertices || !has_faces)
-    fail(has_vertices ? "an element face" : "an element vertex");
+    else if (element.name == "tristrips" && element.number > 0)
+      fail("an element face in the place of tristrips");
+  if (!has_vertices)
+    fail("an element vertex");
 }
 
 // the soup, and the values of the wanted property

@@ -6,7 +6,7 @@
 //
 // Author(s)     : The Anisotropic_hde_remeshing developers
 
-// What is read of a mesh file, a function for each format. Each count and index of the file is checked against what follows.
+// What is read of a file of a mesh or of points, a function for each format. Each count and index of the file is checked against what follows.
 
 #ifndef HDE_REMESH_READERS_H
 #define HDE_REMESH_READERS_H
@@ -23,6 +23,7 @@ Soup read_off(const std::string& text);
 Soup read_obj(const std::string& text);
 Soup read_ply(const std::string& text);
 Soup read_stl(const std::string& text);
+Soup read_xyz(const std::string& text);
 
 // whether the size of the file is that of a binary STL file, whose header may begin with any bytes
 bool has_size_of_binary_stl(const std::string& text);

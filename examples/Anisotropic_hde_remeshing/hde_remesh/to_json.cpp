@@ -185,6 +185,32 @@ Json to_json(const Repair& repair)
           {"divided_faces", repair.divided_faces},   {"stitched_edges", repair.stitched_edges}};
 }
 
+Json to_json(const Points_figures& points)
+{
+  const Hde::Reconstruction_result& found = points.found;
+  Json json = {{"number", points.number},
+               {"normals_are_estimated", points.are_normals_estimated},
+               {"without_normal", points.number_without_normal},
+               {"outliers", found.number_of_outliers},
+               {"wrong_normals", found.number_of_wrong_normals},
+               {"holes_closed", found.number_of_closed_holes},
+               {"noise", found.noise},
+               {"spacing", found.spacing},
+               {"components", found.number_of_components},
+               {"missed_places", found.number_of_missed_places},
+               {"vertices", found.number_of_vertices},
+               {"faces", found.number_of_faces},
+               {"facet_size", found.facet_size},
+               {"evaluations", found.number_of_evaluations},
+               {"function_seconds", found.function_seconds},
+               {"meshing_seconds", found.meshing_seconds},
+               {"removed_components", points.number_of_removed_components},
+               {"carried", points.carried}};
+  if (points.trim)
+    json["trim"] = {{"distance", *points.trim}, {"faces_left", points.number_of_faces_after_trimming}};
+  return json;
+}
+
 } // namespace
 
 std::string to_json(const Report& report)
@@ -196,6 +222,8 @@ std::string to_json(const Report& report)
                {"diagonal", report.diagonal},
                {"scheme", report.scheme},
                {"isolated_vertices", report.number_of_isolated_vertices}};
+  if (report.points)
+    json["points"] = to_json(*report.points);
   if (report.has_function())
   {
     json["sigma"] = report.result.sigma;

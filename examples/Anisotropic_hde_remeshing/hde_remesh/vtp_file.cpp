@@ -26,11 +26,20 @@ void write_number(const double value, std::ostream& stream)
     stream << (std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf");
 }
 
+// as XML has it between quotes
+std::string escaped(const std::string& name)
+{
+  std::string result;
+  for (const char c : name)
+    result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '"' ? "&quot;" : std::string(1, c);
+  return result;
+}
+
 // an element DataArray, whose contents `write` puts into the stream
 template <typename Write>
 void write_array(const char* attributes, const std::string& name, const Write& write, std::ostream& stream)
 {
-  stream << "<DataArray " << attributes << " Name=\"" << name << "\" format=\"ascii\">\n";
+  stream << "<DataArray " << attributes << " Name=\"" << escaped(name) << "\" format=\"ascii\">\n";
   write();
   stream << "</DataArray>\n";
 }
