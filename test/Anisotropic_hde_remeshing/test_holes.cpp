@@ -36,9 +36,9 @@ typedef CGAL::Rbf_implicit_function<Kernel, CGAL::Polyharmonic_rbf, CGAL::Parall
 typedef std::vector<std::pair<Point_3, Vector_3>> Points;
 
 // random points of an ellipsoid, evenly over its area
-Points random_points(const Ellipsoid_function& ellipsoid, const std::size_t n)
+Points random_points(const Ellipsoid_function& ellipsoid, const std::size_t n, const unsigned int seed = 1)
 {
-  std::mt19937 random(1);
+  std::mt19937 random(seed);
   std::normal_distribution<double> gauss(0, 1);
   std::uniform_real_distribution<double> uniform(0, 1);
   const double least = (std::min)({ellipsoid.a, ellipsoid.b, ellipsoid.c});
@@ -118,6 +118,17 @@ std::pair<double, double> errors_of_derivatives(const F& f, const std::vector<Po
     }
   }
   return {of_gradients, of_hessians};
+}
+
+// Gaps of a few spacings, beside points that are nearer to each other than those around, are no holes. Of a hundred seeds, twelve made
+// holes of them when the spacing of the point alone was the unit, and these are two of them.
+void test_clusters_of_points()
+{
+  for (const unsigned int seed : {58u, 74u})
+  {
+    const Parallel_function f(random_points(Ellipsoid_function(), 100000, seed));
+    CHECK(f.diagnostics().number_of_holes == 0);
+  }
 }
 
 void test_ellipsoid()
@@ -355,6 +366,7 @@ void test_distance_to_data()
 int main()
 {
   test_ellipsoid();
+  test_clusters_of_points();
   test_meshes();
   test_closed();
   test_threads();

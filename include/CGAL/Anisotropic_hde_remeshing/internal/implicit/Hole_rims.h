@@ -69,11 +69,12 @@ class Hole_rims
   static constexpr unsigned int number_of_neighbors = 8; // on the rim
 
 public:
-  // a point, and where its neighbours are missing
+  // a point, where its neighbours are missing, and the spacing there
   struct Candidate
   {
     std::size_t point;
     Vector out;
+    double spacing;
   };
 
   // the widest empty sector of the six nearest neighbours, where a ball fits in
@@ -106,14 +107,14 @@ private:
   static bool is_ball_empty(const Surface_sample& sample, const Candidate& candidate, const double tilt,
                             const Clearance& clearance)
   {
-    const double spacing = sample.spacings[candidate.point];
     const Vector direction = std::cos(tilt) * candidate.out + std::sin(tilt) * sample.normals[candidate.point];
-    return clearance(sample.points[candidate.point] + distance_of_ball * spacing * direction) > radius_of_ball * spacing;
+    return clearance(sample.points[candidate.point] + distance_of_ball * candidate.spacing * direction) >
+           radius_of_ball * candidate.spacing;
   }
 
   static Vector centre_of_ball(const Surface_sample& sample, const Candidate& candidate)
   {
-    return sample.points[candidate.point] + distance_of_ball * sample.spacings[candidate.point] * candidate.out;
+    return sample.points[candidate.point] + distance_of_ball * candidate.spacing * candidate.out;
   }
 
   static std::vector<Candidate> chosen(const std::vector<Candidate>& candidates, const std::vector<char>& is_chosen)
@@ -149,7 +150,7 @@ private:
       const Point_search search(neighbors);
       for (std::size_t k = 0; k < rim.size(); ++k)
         for (const auto& [squared_distance, l] : search.nearest(neighbors[k], number_of_neighbors))
-          if (std::sqrt(squared_distance) <= reach * (std::max)(sample.spacings[rim[k].point], sample.spacings[rim[l].point]))
+          if (std::sqrt(squared_distance) <= reach * (std::max)(rim[k].spacing, rim[l].spacing))
             sets.union_set(k, l);
     };
     unite(centres, reach_of_balls);
@@ -161,7 +162,7 @@ private:
       Group& group = groups.emplace(sets.find_set(k), Group{p, p}).first->second;
       group.low = group.low.cwiseMin(p);
       group.high = group.high.cwiseMax(p);
-      group.spacings += sample.spacings[rim[k].point];
+      group.spacings += rim[k].spacing;
       ++group.number;
     }
     const double share = least_share * 2 * half_diagonal(sample);
@@ -182,13 +183,28 @@ template <typename ConcurrencyTag>
 void find_rims_of_points(Surface_sample& sample, const std::vector<Vector>& directions, const Point_search& search,
                          Interruption& interruption)
 {
+  static constexpr unsigned int number_of_neighbors = 24; // three spacings
+  static constexpr double share_of_mean = 0.9;            // of the spacings around
   std::vector<Hole_rims::Candidate> candidates;
   for (std::size_t i = 0; i < sample.size(); ++i)
     if (!directions[i].isZero(0))
-      candidates.push_back({i, directions[i]});
+      candidates.push_back({i, directions[i], sample.spacings[i]});
+  // Random points come in clusters, and what is wide for the spacing in a cluster is no hole among the points around it. Those are
+  // partly at the rim themselves, where spacings are larger, as neighbours are on one side only.
+  parallel_for<ConcurrencyTag>(
+      candidates.size(),
+      [&](const std::size_t k)
+      {
+        double sum = 0;
+        const auto neighbors = search.nearest(sample.points[candidates[k].point], number_of_neighbors);
+        for (const auto& neighbor : neighbors)
+          sum += sample.spacings[neighbor.second];
+        candidates[k].spacing = (std::max)(candidates[k].spacing, share_of_mean * sum / double(neighbors.size()));
+      },
+      256, interruption);
+  interruption.check();
   const auto is_at_blade = [&](const std::size_t i)
   {
-    constexpr unsigned int number_of_neighbors = 24; // three spacings
     const auto neighbors = search.nearest(sample.points[i], number_of_neighbors);
     return std::any_of(neighbors.begin(), neighbors.end(),
                        [&](const auto& neighbor) { return sample.normals[neighbor.second].dot(sample.normals[i]) < -0.2; });
@@ -225,7 +241,7 @@ void find_rims_of_mesh(Surface_sample& sample, Interruption& interruption)
   std::vector<Hole_rims::Candidate> candidates;
   for (const auto& [i, direction] : directions)
     if (direction.norm() > 0)
-      candidates.push_back({i, direction.normalized()});
+      candidates.push_back({i, direction.normalized(), sample.spacings[i]});
   if (candidates.empty())
     return;
   const Closest_facet closest(sample.points, sample.facets);
