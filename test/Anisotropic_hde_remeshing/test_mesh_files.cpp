@@ -164,7 +164,10 @@ void check_read(const std::string& name, const Read& read, const std::string& te
   try
   {
     const Soup soup = read(text);
-    const bool is_right = soup.points.size() == 4 && corners(soup) == corners(Soup{points, faces, {}, {}, 0, {}});
+    Soup expected;
+    expected.points = points;
+    expected.faces = faces;
+    const bool is_right = soup.points.size() == 4 && corners(soup) == corners(expected);
     CHECK(is_right);
     if (!is_right)
       std::cout << name << ": other points or faces" << std::endl;
@@ -411,10 +414,88 @@ void test_meshes_of_cgal()
   CHECK(number > 80);
 }
 
+const std::vector<hde_remesh::Vector_3> normals(4, hde_remesh::Vector_3(0, 0, .5));
+
+// four points without faces, with the normals above or none, and as many further numbers
+void check_points(const std::string& name, const Read& read, const std::string& text, const bool has_normals,
+                  const std::size_t number_of_arrays = 0)
+{
+  std::string message = name;
+  try
+  {
+    const Soup soup = read(text);
+    CHECK(soup.is_of_points());
+    CHECK(soup.points == points);
+    CHECK(soup.normals == (has_normals ? normals : std::vector<hde_remesh::Vector_3>()));
+    CHECK(soup.vertex_arrays.size() == number_of_arrays);
+    for (const hde_remesh::Array& array : soup.vertex_arrays)
+      CHECK(array.values == std::vector<double>({7, 8, 7, 8}) && array.are_bytes == (array.name == "red"));
+    return;
+  }
+  catch (const hde_remesh::Unreadable& error)
+  {
+    message += std::string(": ") + error.what();
+  }
+  std::cout << message << std::endl;
+  CHECK(false);
+}
+
+// the points with something behind each: the same, or 7 and 8 by turns, too
+std::string points_with(const std::string& text, const bool has_numbers = false)
+{
+  std::istringstream lines(off_points);
+  std::string result;
+  int i = 0;
+  for (std::string line; std::getline(lines, line); ++i)
+    result += line + text + (has_numbers ? (i % 2 == 0 ? " 7" : " 8") : "") + "\n";
+  return result;
+}
+
+void test_points()
+{
+  using namespace hde_remesh;
+  const Read read_ply_points = [](const std::string& text) { return read_ply(text); };
+  check_points("XYZ", read_xyz, off_points, false);
+  check_points("normals in XYZ", read_xyz, "# with normals\n" + points_with(" 0 0 .5"), true);
+  check_points("the number of points in XYZ", read_xyz, "4\n" + points_with(" 0 0 .5"), true);
+  check_points("a fourth column in XYZ", read_xyz, points_with("", true), false, 1);
+  check_points("a seventh column in XYZ", read_xyz, points_with(" 0 0 .5", true), true, 1);
+  check_points("OFF", read_off, "OFF\n4 0 0\n" + off_points, false);
+  check_points("normals in OFF", read_off, "NOFF\n4 0 0\n" + points_with(" 0 0 .5"), true);
+  check_points("normals in OFF as a stream", read_off, "NOFF 4 0 0 " + replaced(points_with(" 0 0 .5"), "\n", " "), true);
+  check_points("OBJ", read_obj, obj.substr(0, obj.find('f')), false);
+  check_points("normals in OBJ", read_obj, replaced(obj.substr(0, obj.find('f')), "v ", "vn 0 0 .5\nv "), true);
+  const std::string xyz = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n",
+                    n = "property float nx\nproperty float ny\nproperty float nz\n", end = "end_header\n";
+  check_points("PLY", read_ply_points, xyz + end + off_points, false);
+  check_points("PLY with no faces", read_ply_points, xyz + "element face 0\n" + end + off_points, false);
+  check_points("normals in PLY", read_ply_points, xyz + n + end + points_with(" 0 0 .5"), true);
+  check_points("numbers in PLY", read_ply_points, xyz + n + "property uchar red\n" + end + points_with(" 0 0 .5", true), true,
+               1);
+  check_points("other numbers in PLY", read_ply_points, xyz + "property int label\n" + end + points_with("", true), false, 1);
+  const Soup colours = read_xyz(points_with(" 200 0 30"));
+  CHECK(colours.normals.empty() && colours.vertex_arrays.size() == 3);
+  CHECK(colours.vertex_arrays.front().name == "red" && colours.vertex_arrays.front().are_bytes);
+  CHECK(colours.vertex_arrays.back().values == std::vector<double>(4, 30));
+  CHECK(read_ply(ply).normals.empty() && !read_ply(ply).is_of_points());
+  check_refused(read_xyz, "", "expected the coordinates of a point, but the file ends");
+  check_refused(read_xyz, "0 0 0\n1 0\n", "line 2: expected 3 numbers, as before, found 2");
+  check_refused(read_xyz, "0 0\n", "line 1: expected three coordinates, found 2");
+  check_refused(read_xyz, "0 0 0\n1 inf 0\n", "line 2: 'inf' is not a finite number");
+  check_refused(read_xyz, "5\n" + off_points, "expected 5 points, as the first line has it");
+  check_refused(read_xyz, "-5\n" + off_points, "line 1: expected the number of points");
+  check_refused(read_off, "NOFF\n4 0 0\n" + off_points, "line 3: expected a normal of vertex 1 of 4 in the same line");
+  check_refused(read_ply_points, xyz + n + end + off_points, "line 11: expected nx of vertex 1 of 4");
+  check_refused(read_ply_points,
+                xyz + "element tristrips 1\nproperty list int int vertex_indices\n" + end + off_points + "1 0\n",
+                "expected an element face in the place of tristrips");
+}
+
 } // namespace
 
 int main()
 {
+  test_points();
   test_dialects_of_off();
   test_counts_and_indices_of_off();
   test_obj();
