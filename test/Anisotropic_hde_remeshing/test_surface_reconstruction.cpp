@@ -267,10 +267,12 @@ struct Visitor_that_stops : AHR::Remeshing_visitor
 {
   double last_share = 0;
   double stop = 2; // from this share on
+  int calls_by_mesher = 0;
 
   void progress(const double share)
   {
     CHECK(share >= last_share && share <= 1);
+    calls_by_mesher += share > 0.32 && share < 0.99 ? 1 : 0; // the function has the first .3
     last_share = share;
   }
   bool go_further() { return last_share < stop; }
@@ -283,8 +285,9 @@ void test_visitor()
   Mesh mesh;
   CGAL::rbf_surface_reconstruction(points, mesh, params::visitor(std::ref(visitor)));
   CHECK(visitor.last_share == 1);
+  CHECK(visitor.calls_by_mesher >= 3);
   const std::size_t number_of_faces = mesh.number_of_faces();
-  for (const double share : {0.1, 0.3})
+  for (const double share : {0.1, 0.3, 0.5})
   {
     visitor = Visitor_that_stops();
     visitor.stop = share;

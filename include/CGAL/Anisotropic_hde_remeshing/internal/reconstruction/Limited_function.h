@@ -33,7 +33,8 @@ struct Too_many_evaluations
 };
 
 // A function that may be evaluated only so many times, as a mesher asks for ever where the zero set is too rough for it. It keeps
-// values: the centre of a cell is asked for once for each of its facets, and again when a neighbour is new.
+// values: the centre of a cell is asked for once for each of its facets, and again when a neighbour is new. Each evaluation is a part of
+// the work that the interruption is told of.
 template <typename Function>
 class Limited_function
 {
@@ -72,6 +73,7 @@ public:
     if (m_number == m_largest_number)
       throw Too_many_evaluations();
     ++m_number;
+    m_interruption.end_parts(1);
     m_interruption.check();
     return CGAL::to_double(m_function(typename Function::Point_3(p.x(), p.y(), p.z())));
   }

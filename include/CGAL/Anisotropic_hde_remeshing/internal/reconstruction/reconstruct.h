@@ -210,12 +210,14 @@ bool closes_holes(const NamedParameters& np)
 
 template <typename ConcurrencyTag, typename PointRange, typename Function, typename NamedParameters>
 Triangles mesh_function(const PointRange& points, const Function& function, const NamedParameters& np,
-                        Interruption& interruption, Reconstruction_result& result)
+                        Interruption& interruption, const double end_of_share, Reconstruction_result& result)
 {
+  static constexpr std::size_t surplus = 10; // of the evaluations that are allowed over those that clean points take
   const double squared_radius = CGAL::to_double(function.bounding_sphere().squared_radius());
   const Meshing_plan plan = meshing_plan(np, function.diagnostics(), squared_radius);
   result.facet_size = plan.criteria.size;
   result.facet_distance = plan.criteria.distance;
+  interruption.begin_parts(plan.largest_number_of_evaluations / surplus, end_of_share);
   Zero_set_mesher<ConcurrencyTag, Function> mesher(function, plan, interruption);
   const std::vector<Vector> starts = spread_points_of(points, np, plan.criteria.size);
   Triangles triangles;
@@ -278,12 +280,14 @@ Reconstructed_mesh reconstruct(const PointRange& points, const NamedParameters& 
 
   Interruption interruption([&visitor] { return visitor.go_further(); },
                             [&visitor](const double share) { visitor.progress(share); });
+  const double end_of_mesher = remeshes ? share_of_mesher : 1;
+  interruption.report(share_of_function);
   Reconstructed_mesh mesh;
   {
     const Duration duration(result.meshing_seconds);
-    mesh = to_mesh(mesh_function<ConcurrencyTag>(points, function, np, interruption, result));
+    mesh = to_mesh(mesh_function<ConcurrencyTag>(points, function, np, interruption, end_of_mesher, result));
   }
-  interruption.report(remeshes ? share_of_mesher : 1);
+  interruption.report(end_of_mesher);
   if constexpr (remeshes)
   {
     const Duration duration(result.remeshing_seconds);
