@@ -8,7 +8,8 @@
 # Author(s)     : The Anisotropic_hde_remeshing developers
 
 # What the implicit function makes of noisy points, of outliers and of holes: of an ellipsoid, of CGAL's bunny, and of the meshes
-# given. Prints three tables, see benchmark_points.cpp, for 10,000 and 40,000 points. About three minutes.
+# given. Prints four tables, see benchmark_points.cpp, for 10,000 and 40,000 points; the last one has meshes by one call, beside those
+# of CGAL's Poisson reconstruction. About five minutes.
 # Usage: scripts/benchmark_points.sh [MESH...]
 # BUILD_DIR (default build/benchmark) and JOBS (default 2) may be set in the environment.
 
