@@ -139,7 +139,7 @@ for name in "regions between creases" "feature curves, boundaries included" "cor
   check "$name: as before, and more than one" awk -v name="$name" \
     'index($0, name) == 1 { found = $(NF - 1) == $NF && $NF > 1 } END { exit !found }' stdout
 done
-check "the curves are as long" awk '/^length of the feature curves/ { r = $NF / $(NF - 1) } END { exit !(r > .999 && r < 1.001) }' stdout
+check "the curves are as long" awk '/^length of the feature curves/ { r = $(NF - 1) / $(NF - 3) } END { exit !(r > .999 && r < 1.001) }' stdout
 check "no sharp fold" grep -Eq '^folded edges +0 +0$' stdout
 check "sharp in the JSON" grep -q '"sharp": 30' sharp.json
 check "without an angle there is one region" grep -Eq '"regions": 1,' <("$program" $sphere s.off $quick --json -)
