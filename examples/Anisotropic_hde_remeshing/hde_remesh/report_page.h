@@ -9,22 +9,14 @@
 #ifndef HDE_REMESH_REPORT_PAGE_H
 #define HDE_REMESH_REPORT_PAGE_H
 
-#include "Element_figures.h"
-#include "Mesh.h"
+#include "Page_figures.h"
 #include "Report.h"
 
 #include <string>
 
 namespace hde_remesh {
 
-// a mesh and the figures of its elements
-struct Measured_elements
-{
-  const Mesh& mesh;
-  Element_figures figures;
-};
-
-// A page of HTML that needs no other file and no network: the table, histograms, and both meshes to be turned by the mouse.
+// A page of HTML that needs no other file and no network: the table, histograms, and both meshes to be turned and looked into.
 std::string report_page(const Report& report, const std::string& command_line, const Measured_elements& before,
                         const Measured_elements& after);
 
