@@ -298,5 +298,5 @@
     results.push("FAILED: the checks end early: " + error.message + " " + error.stack);
   }
   results.push("end of the checks");
-  parent.postMessage(results.join("\n"), "*");
+  parent.postMessage({results: results.join("\n"), obj: meshText("after", "obj")}, "*");
 })();

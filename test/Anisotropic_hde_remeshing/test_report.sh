@@ -55,8 +55,10 @@ use_page() {
   { sed '/^<\/body>$/,$d' "$2"; echo '<script>'; cat "$uses"; echo '</script></body></html>'; } > used.html
   cat > frame.html << END
 <!DOCTYPE html>
-<body><pre id="results"></pre><iframe src="used.html" width="$3" height="$4"></iframe>
-<script>addEventListener("message", e => { document.getElementById("results").textContent = e.data; });</script></body>
+<body><pre id="results"></pre><pre id="obj"></pre><iframe src="used.html" width="$3" height="$4"></iframe>
+<script>
+addEventListener("message", e => { for (const id of ["results", "obj"]) document.getElementById(id).textContent = e.data[id]; });
+</script></body>
 END
   check "$1: a browser opens it" open_page frame.html
   check "$1: the console is empty" console_is_empty
@@ -65,6 +67,17 @@ END
   while read -r line; do
     check "$1: $line" [ "${line%%:*}" = ok ]
   done < <(grep -Eo '(ok|FAILED): .*' dom)
+}
+
+# is_saved_mesh OFF: whether the OBJ file that the page saves, which `use_page` leaves in dom, is that mesh to 2e-7 of coordinates
+# that are at most 1
+is_saved_mesh() {
+  awk 'FNR == NR { if (FNR == 2) n = $1; if (FNR > 2 && FNR <= n + 2) points[FNR - 2] = $0;
+                   if (FNR > n + 2 && NF > 3) faces[++m] = $2 + 1 " " $3 + 1 " " $4 + 1; next }
+       { sub(/<pre id="obj">/, "\n"); sub(/.*\n/, "") }
+       $1 == "v" { split(points[++v], p); for (i = 1; i <= 3; ++i) if ((p[i] - $(i + 1)) ^ 2 > 4e-14) exit 1 }
+       $1 == "f" { sub(/^f /, ""); if (faces[++f] != $0) exit 1 }
+       END { exit !(v == n && f == m && n > 3) }' <(grep . "$1") dom
 }
 
 # the table on the terminal, and that of the page, a line each: name|before|after
@@ -94,6 +107,7 @@ check "no number that is none" [ "$(grep -Ec 'NaN|undefined' <(sed '/<script typ
 check "it is not simplified" [ "$(grep -c 'shown simplified to [0-9]' dom)" -eq 0 ]
 
 use_page "on a desk" page.html 1280 900
+check "the mesh that it saves is that of the file" is_saved_mesh out.off
 use_page "on a phone" page.html 390 844
 
 # creases and boundaries

@@ -32,7 +32,7 @@ function fillHeading() {
   element("subtitle").textContent = text(data.before.number_of_faces) + " triangles before, " +
     text(data.after.number_of_faces) + " after" +
     (r.distance ? "; distance between both, root mean square " + inD(r.distance.rms) + ", largest " + inD(r.distance.max) : "") +
-    ". All lengths are in D, the diagonal of the bounding box of " + fileName(r.input) + ", which is " + text(r.diagonal) +
+    ". All lengths are in D, the diagonal of the bounding box of " + fileName(r.input) + ", which is " + text(r.diagonal, 6) +
     " in the unit of the mesh.";
   for (const warning of r.warnings) {
     const item = document.createElement("li");

@@ -17,7 +17,7 @@ function askForDraw() {
 function darknessOfEdges(view, id) {
   const pixels = view.altitude * camera.zoom * Math.min(view.canvas.clientWidth, view.canvas.clientHeight) / 2;
   const isTooFine = pixels <= 2;
-  element(id + "-note").textContent = element("edges").checked && isTooFine ? "edges nearer than 2 pixels: not drawn; zoom in" : "";
+  element(id + "-note").textContent = element("edges").checked && isTooFine ? "edges too close to draw: zoom in" : "";
   return !element("edges").checked || isTooFine ? 0 : 0.75 * Math.min(1, pixels / 6);
 }
 
