@@ -183,7 +183,7 @@ report_page() {
   cp "$bunny" bunny00.off # the page names it
   "$program" bunny00.off bunny.obj --faces 12000 --sigma .03 --quiet --report report.html
   chromium --headless --no-sandbox --hide-scrollbars --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader \
-    --virtual-time-budget=20000 --window-size=1200,2600 --screenshot=report.png "file://$PWD/report.html" > chromium.log 2>&1
+    --virtual-time-budget=20000 --window-size=1200,1180 --screenshot=report.png "file://$PWD/report.html" > chromium.log 2>&1
   convert report.png -bordercolor white -trim -border 20 +repage -strip -colors 128 "$picture_dir/report.png"
   echo "$picture_dir/report.png"
 }

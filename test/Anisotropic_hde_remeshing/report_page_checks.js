@@ -107,15 +107,33 @@
     pointer("after", "pointerup", 0.2, 0.5);
     pointer("after", "pointerup", 0.6, 0.5, {pointerId: 2});
     check("two fingers zoom", camera.zoom > spread);
-    pointer("after", "pointerdown", 0.5, 0.5);
-    pointer("after", "pointercancel", 0.5, 0.5);
     const rotation = camera.rotation.join();
+    pointer("after", "pointerdown", 0.5, 0.5);
+    pointer("after", "pointermove", 0.5, 0.52);
+    pointer("after", "pointercancel", 0.5, 0.52);
     pointer("after", "pointermove", 0.8, 0.5);
     check("a finger that scrolls turns nothing", camera.rotation.join() === rotation && words() === "");
     element("whole").click();
     await frame();
     const e = extent(pixels("after"));
     check("the whole mesh again", e.left > 0 && e.right < 1 && e.top > 0 && e.bottom < 1, JSON.stringify(e));
+  }
+
+  // a triangle that other parts of the mesh hide from its front, if there is one
+  function checkHiddenTriangle() {
+    const view = views.after, [x, y] = [view.canvas.clientWidth / 2, view.canvas.clientHeight / 2];
+    const depth = f => Math.max(...view.mesh.corners(f).map(p => rotated(camera.rotation, p)[2]));
+    for (let f = 0; f < view.mesh.numberOfFaces; f += 7) {
+      choose(null, null);
+      lookAt(view.mesh, f);
+      const found = faceAt(view, x, y);
+      if (found === null || depth(found) < depth(f) + 0.1) continue;
+      const before = pixels("after");
+      showFace("after", f, -1, "");
+      check("what hides a triangle is cut away", faceAt(view, x, y) === f && words().includes("cut away"), words());
+      check("and not drawn", differs(before, pixels("after")));
+      return;
+    }
   }
 
   async function checkTriangles() {
@@ -135,11 +153,15 @@
       const told = Number((words().match(/aspect ratio ([0-9.e+]+)/) || [])[1]), largest = Number(row.cells[i + 1].textContent);
       check("the worst triangle is that of the table, " + id, Math.abs(told / largest - 1) < 2e-3, words() + " / " + largest);
       const centre = faceAt(views[id], element(id).clientWidth / 2, element(id).clientHeight / 2);
-      check("it is in the middle, " + id, centre === chosen.face, centre + " " + chosen.face);
+      const face = chosen.face;
+      check("it is in the middle, " + id, centre === face, centre + " " + face);
+      click(id, 0.5, 0.5);
+      check("a click finds it there, " + id, chosen.view === id && chosen.face === face, words());
       const n = rotated(camera.rotation, unit(views[id].mesh.areaNormal(chosen.face)));
       check("and seen from the front, " + id, n[2] > 0.999, n.join());
     });
-    element("after-worst").click();
+    checkHiddenTriangle();
+    for (let i = 0; i < 2; ++i) element("after-worst").click();
     check("the next one", words().includes("number 2 of the worst"), words());
     set("colour", "1");
     element("after-worst").click();
@@ -148,6 +170,9 @@
     set("colour", "0");
     press("Escape");
     check("Esc lets go", words() === "");
+    for (let i = 0; i < 1000; ++i) lookAt(views.after.mesh, i % views.after.mesh.numberOfFaces);
+    const r = camera.rotation, rows = [r.slice(0, 3), r.slice(3, 6), r.slice(6, 9)];
+    check("a rotation stays one", rows.every((a, i) => rows.every((b, k) => Math.abs(dot(a, b) - (i === k)) < 1e-12)), r.join());
     element("whole").click();
     await frame();
   }
@@ -155,7 +180,8 @@
   async function checkColours() {
     const isShown = image => differs(image, pixels("after"));
     const first = pixels("after"), [low, high] = [element("low").value, element("high").value];
-    check("the range is that of the mesh after", Math.abs(high / data.figures[0].range_after[1] - 1) < 1e-3, high);
+    check("the range is that of the mesh after", element("range").value === "after" &&
+          Math.abs(high / data.figures[0].range_after[1] - 1) < 1e-3, high);
     check("the scale has a name", element("scale").value === "logarithmic");
     set("high", "1.2");
     await frame();

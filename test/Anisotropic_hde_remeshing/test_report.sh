@@ -120,6 +120,11 @@ check "no length in the unit of the mesh" grep -Eq '<td>length of the feature cu
 use_page "creases, on a desk" sharp.html 1280 900
 use_page "creases, on a phone" sharp.html 390 844
 
+# parts that hide others
+check "a page of a knot" "$program" "$data/knot1.off" knot.off --faces 1000 --report knot.html --quiet
+use_page "knot" knot.html 1280 900
+check "a hidden triangle was found" contains 'what hides a triangle is cut away'
+
 # more triangles than a page shows
 check "a page of many triangles" \
   "$program" "$data/sphere.off" large.off --faces 170000 --iterations 2 --no-distance --report large.html --quiet

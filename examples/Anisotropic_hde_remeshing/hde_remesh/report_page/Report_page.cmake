@@ -19,10 +19,12 @@ endif()
 
 file(READ "${report_page_dir}/page.html" report_page_html)
 file(READ "${report_page_dir}/style.css" report_page_style)
+string(REGEX REPLACE "^/[*][^*]*[*]/\n\n" "" report_page_style "${report_page_style}") # the page has a head of its own
 string(REPLACE "@STYLE@" "${report_page_style}" report_page_html "${report_page_html}")
 set(report_page_script "")
 foreach(name IN LISTS report_page_scripts)
   file(READ "${report_page_dir}/${name}.js" text)
+  string(REGEX REPLACE "^(//[^\n]*\n)+\n" "" text "${text}")
   string(APPEND report_page_script "${text}")
 endforeach()
 string(REPLACE "@SCRIPTS@" "${report_page_script}" report_page_html "${report_page_html}")

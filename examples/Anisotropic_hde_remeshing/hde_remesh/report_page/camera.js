@@ -1,3 +1,11 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
 /* ---- the camera, one for both views ---- */
 
 // `rotation` by rows: to the right, up, to the eye. In a view, the half of the shorter side is 1.
@@ -12,10 +20,16 @@ function multiply(a, b) { // 3 x 3
 
 const rotated = (r, p) => [dot(r.slice(0, 3), p), dot(r.slice(3, 6), p), dot(r.slice(6, 9), p)];
 
+// by another rotation; without a trace of rounding, which would grow with each
+function rotateBy(other) {
+  const m = multiply(other, camera.rotation), eye = unit(m.slice(6, 9)), right = unit(cross(m.slice(3, 6), eye));
+  camera.rotation = [...right, ...cross(eye, right), ...eye];
+}
+
 // about the middle of the view
 function turn(dx, dy) {
   const cx = Math.cos(dx), sx = Math.sin(dx), cy = Math.cos(dy), sy = Math.sin(dy);
-  camera.rotation = multiply(multiply([1, 0, 0, 0, cy, -sy, 0, sy, cy], [cx, 0, sx, 0, 1, 0, -sx, 0, cx]), camera.rotation);
+  rotateBy(multiply([1, 0, 0, 0, cy, -sy, 0, sy, cy], [cx, 0, sx, 0, 1, 0, -sx, 0, cx]));
   camera.isWhole = false;
 }
 
@@ -58,7 +72,7 @@ function lookAt(mesh, f) {
   const n = rotated(camera.rotation, unit(mesh.areaNormal(f))), p = mesh.corners(f), longest = Math.max(...mesh.lengths(f));
   if (Math.hypot(...n) > 0.5) {
     const side = Math.hypot(n[0], n[2]), c = side > 0 ? n[2] / side : 1, s = side > 0 ? n[0] / side : 0;
-    camera.rotation = multiply([1, 0, 0, 0, side, -n[1], 0, n[1], side], multiply([c, 0, -s, 0, 1, 0, s, 0, c], camera.rotation));
+    rotateBy(multiply([1, 0, 0, 0, side, -n[1], 0, n[1], side], [c, 0, -s, 0, 1, 0, s, 0, c]));
   }
   const centre = rotated(camera.rotation, [0, 1, 2].map(k => (p[0][k] + p[1][k] + p[2][k]) / 3));
   camera.zoom = Math.min(Math.max(0.7 / (longest || 1), 1), 1e4);

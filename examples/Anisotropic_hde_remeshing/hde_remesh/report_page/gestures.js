@@ -1,13 +1,22 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
 /* ---- mouse, fingers and keys ---- */
 
 const isFull = () => element("stage").classList.contains("full");
 
 function listenToPointers(id) {
   const canvas = element(id), pointers = new Map();
-  let spread = 0, way = 0;
+  let spread = 0, way = 0, first = {...camera};
   canvas.addEventListener("pointerdown", e => {
     canvas.focus({preventScroll: true});
     try { canvas.setPointerCapture(e.pointerId); } catch (error) { /* a pointer that is gone by now */ }
+    if (pointers.size === 0) first = {...camera};
     pointers.set(e.pointerId, e);
     spread = 0;
     way = pointers.size > 1 || e.button > 0 ? Infinity : 0;
@@ -36,7 +45,12 @@ function listenToPointers(id) {
     }
     spread = 0;
   });
-  canvas.addEventListener("pointercancel", e => { pointers.delete(e.pointerId); spread = 0; }); // the page scrolls
+  canvas.addEventListener("pointercancel", e => { // the page scrolls: its first pixels were no turn
+    pointers.delete(e.pointerId);
+    Object.assign(camera, first);
+    spread = 0;
+    askForDraw();
+  });
   canvas.addEventListener("touchmove", e => { if (e.touches.length > 1) e.preventDefault(); }, {passive: false});
   canvas.addEventListener("contextmenu", e => e.preventDefault());
   canvas.addEventListener("wheel", e => {

@@ -1,3 +1,11 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
 /* ---- WebGL: triangles with their edges, and lines of some width ---- */
 
 // the darker the larger; and from inside to outside
@@ -25,7 +33,7 @@ const faceVertexShader = cameraCode + `
 const faceFragmentShader = `#version 300 es
   precision highp float;
   in vec3 seen, turned, barycentric; flat in float figure;
-  uniform float low, high, edges, lineWidth; uniform int kind, smoothly; uniform vec3 stops[5], plain;
+  uniform float low, high, edges, lineWidth, cut; uniform int kind, smoothly; uniform vec3 stops[5], plain;
   out vec4 colour;
   float share() { // of the range; 0 stays in the middle of what has a sign
     if (kind == 1) return log(figure / low) / log(high / low);
@@ -49,24 +57,30 @@ const faceFragmentShader = `#version 300 es
     float altitude = 1.0 / max(steep.x, max(steep.y, steep.z));
     line = mix(min(line, 0.6), line, smoothstep(1.0, 4.0, altitude)); // grey, not black, where all is edges
     colour = vec4(mix(paint() * light, vec3(0.08), edges * line), 1.0);
+    if (seen.z > cut) discard;
   }`;
 const lineVertexShader = cameraCode + `
   in vec3 begin, end;
   uniform vec2 pixel; uniform float width, nearer;
+  out float depth;
   void main() {
     vec4 a = projected(begin), b = projected(end);
     vec2 along = (b.xy - a.xy) / pixel;
     along = dot(along, along) > 0.0 ? normalize(along) : vec2(1.0, 0.0);
     float side = gl_VertexID % 2 == 0 ? -0.5 : 0.5, over = gl_VertexID < 2 ? -0.5 : 0.5;
     vec4 p = gl_VertexID < 2 ? a : b;
+    depth = -1.5 * p.z;
     p.xy += width * pixel * (side * vec2(-along.y, along.x) + 0.5 * over * along);
     p.z -= nearer;
     gl_Position = p;
   }`;
 const lineFragmentShader = `#version 300 es
   precision highp float;
-  uniform vec3 paint; out vec4 colour;
-  void main() { colour = vec4(paint, 1.0); }`;
+  in float depth; uniform vec3 paint; uniform float cut; out vec4 colour;
+  void main() {
+    colour = vec4(paint, 1.0);
+    if (depth > cut) discard;
+  }`;
 
 function makeProgram(gl, vertexShader, fragmentShader) {
   const program = gl.createProgram();
@@ -171,7 +185,7 @@ class Painter {
     gl.uniform2f(made.uniform("scale"), short / w, short / h);
   }
 
-  // `how`: figure, low, high, logarithmic, edges (how dark), smooth, creases
+  // `how`: figure, low, high, logarithmic, edges (how dark), smooth, creases, cut (in front of which nothing is drawn)
   draw(how) {
     this.fitCanvas();
     const gl = this.gl;
@@ -181,9 +195,9 @@ class Painter {
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     this.drawFaces(how);
     const pixelDepth = 2 / (1.5 * camera.zoom * Math.min(this.canvas.width, this.canvas.height));
-    if (how.creases) this.drawLines("curves", 2.6, [1, 0.42, 0], 2 * pixelDepth);
+    if (how.creases) this.drawLines("curves", 2.6, [1, 0.42, 0], 2 * pixelDepth, how.cut);
     gl.disable(gl.DEPTH_TEST);
-    this.drawLines("selected", 3, [0.9, 0, 0.7], 0);
+    this.drawLines("selected", 3, [0.9, 0, 0.7], 0, 10);
   }
 
   drawFaces(how) {
@@ -200,19 +214,21 @@ class Painter {
     gl.uniform1f(uniform("low"), how.low);
     gl.uniform1f(uniform("high"), how.high);
     gl.uniform1f(uniform("edges"), how.edges);
+    gl.uniform1f(uniform("cut"), how.cut * camera.zoom);
     gl.uniform1f(uniform("lineWidth"), 1.2 * (window.devicePixelRatio || 1));
     gl.uniform1i(uniform("smoothly"), how.smooth ? 1 : 0);
     gl.bindVertexArray(this.faceArrays);
     gl.drawArrays(gl.TRIANGLES, 0, this.mesh.faces.length);
   }
 
-  drawLines(name, width, paint, nearer) {
+  drawLines(name, width, paint, nearer, cut) {
     const gl = this.gl, set = this.lineSets[name];
     if (set.count === 0) return;
     this.useProgram(this.lines);
     gl.uniform2f(this.lines.uniform("pixel"), 2 / this.canvas.width, 2 / this.canvas.height);
     gl.uniform1f(this.lines.uniform("width"), width * (window.devicePixelRatio || 1));
     gl.uniform1f(this.lines.uniform("nearer"), nearer);
+    gl.uniform1f(this.lines.uniform("cut"), cut);
     gl.uniform3fv(this.lines.uniform("paint"), paint);
     gl.bindVertexArray(set.arrays);
     gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, set.count);

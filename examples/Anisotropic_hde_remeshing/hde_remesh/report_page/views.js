@@ -1,7 +1,15 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
 /* ---- what both views show: colours, edges, the overlay, the triangle chosen ---- */
 
 const views = {};  // before, after: canvas, mesh, painter, altitude
-const chosen = {view: null, face: null, rank: -1, rankOf: ""};
+const chosen = {view: null, face: null, rank: -1, rankOf: "", isCutFree: false};
 let isDrawAsked = false;
 
 const figureShown = () => data.figures[Number(element("colour").value)];
@@ -27,7 +35,7 @@ function draw() {
   eachView((view, id) => view.painter.draw({
     figure: figureShown(), low: Number(element("low").value), high: Number(element("high").value),
     logarithmic: element("scale").value === "logarithmic", edges: darknessOfEdges(view, id),
-    smooth: element("smooth").checked, creases: element("creases").checked}));
+    smooth: element("smooth").checked, creases: element("creases").checked, cut: cutDepth()}));
 }
 
 /* the colours */
@@ -99,6 +107,14 @@ const viewMeant = id => (element("mode").value !== "fade" ? id : Number(element(
 
 /* a triangle */
 
+// The depth, to the eye, in front of which nothing is drawn: so is seen what lies behind other parts of the mesh.
+function cutDepth() {
+  if (!chosen.isCutFree) return 10;
+  const {mesh} = views[chosen.view];
+  const depths = mesh.corners(chosen.face).map(p => rotated(camera.rotation, p)[2]);
+  return Math.max(...depths) + Math.max(...mesh.lengths(chosen.face)) / 100;
+}
+
 // the nearest to the eye at a point of the canvas, in pixels of the page from its corner
 function faceAt(view, x, y) {
   const {clientWidth: w, clientHeight: h} = view.canvas, half = Math.min(w, h) / 2;
@@ -107,6 +123,7 @@ function faceAt(view, x, y) {
   const q = new Float64Array(points.length);
   for (let i = 0; i < points.length; i += 3)
     for (let k = 0; k < 3; ++k) q[i + k] = r[3 * k] * points[i] + r[3 * k + 1] * points[i + 1] + r[3 * k + 2] * points[i + 2];
+  const cut = cutDepth();
   let found = null, depth = -Infinity;
   for (let f = 0; f < view.mesh.numberOfFaces; ++f) {
     const a = 3 * faces[3 * f], b = 3 * faces[3 * f + 1], c = 3 * faces[3 * f + 2];
@@ -115,13 +132,13 @@ function faceAt(view, x, y) {
     const t = (q[a] - px) * (q[b + 1] - py) - (q[b] - px) * (q[a + 1] - py), sum = u + v + t;
     if (sum === 0 || u * sum < 0 || v * sum < 0 || t * sum < 0) continue;
     const z = (u * q[a + 2] + v * q[b + 2] + t * q[c + 2]) / sum;
-    if (z > depth) { depth = z; found = f; }
+    if (z > depth && z < cut) { depth = z; found = f; }
   }
   return found;
 }
 
 function choose(id, face, rank = -1, rankOf = "") {
-  Object.assign(chosen, {view: face === null ? null : id, face, rank, rankOf});
+  Object.assign(chosen, {view: face === null ? null : id, face, rank, rankOf, isCutFree: false});
   eachView((view, name) => view.painter.select(name === chosen.view ? face : null));
   tellFace();
   askForDraw();
@@ -138,7 +155,17 @@ function tellFace() {
   element("selected").textContent = chosen.view + ", " + rank + "triangle " + text(f + 1) + " of " + text(mesh.numberOfFaces) +
     (mesh.isSimplified ? " of the mesh as shown" : "") + "; " +
     data.figures.map(figure => figureText(figure, mesh.figures[figure.key][f])).join(", ") +
-    "; edges " + mesh.lengths(f).map(l => text(l * toD)).join(", ") + " D; centroid at (" + centre.join(", ") + ") in the file";
+    "; edges " + mesh.lengths(f).map(l => text(l * toD)).join(", ") + " D; centroid at (" + centre.join(", ") + ") in the file" +
+    (chosen.isCutFree ? "; what is in front of it is cut away" : "");
+}
+
+// from the front, and free of what is in front of it
+function showFace(id, face, rank, rankOf) {
+  const view = views[id];
+  lookAt(view.mesh, face);
+  choose(id, face, rank, rankOf);
+  chosen.isCutFree = faceAt(view, view.canvas.clientWidth / 2, view.canvas.clientHeight / 2) !== face;
+  tellFace();
 }
 
 // again, and the next one follows
@@ -149,7 +176,6 @@ function goToWorst(id) {
   if (element("mode").value !== "side") { element("slider").value = id === "before" ? 100 : 0; }
   if (element("mode").value === "fade") element("slider").value = id === "before" ? 0 : 100;
   showOverlay();
-  lookAt(mesh, order[rank]);
-  choose(id, order[rank], rank, figure.title);
+  showFace(id, order[rank], rank, figure.title);
 }
 
