@@ -132,6 +132,8 @@
       showFace("after", f, -1, "");
       check("what hides a triangle is cut away", faceAt(view, x, y) === f && words().includes("cut away"), words());
       check("and not drawn", differs(before, pixels("after")));
+      element("whole").click();
+      check("with the whole mesh it is back", chosen.face === f && !words().includes("cut away"), words());
       return;
     }
   }

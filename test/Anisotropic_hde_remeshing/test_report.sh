@@ -139,6 +139,12 @@ check "a page with a metric" "$program" "$data/sphere.off" metric.off --metric 2
 check "it opens" open_page metric.html
 check "four histograms" [ "$(grep -o '<figure>' dom | wc -l)" -eq 4 ]
 
+check "a page with sigma by the curvature" \
+  "$program" "$data/sphere.off" auto.off --sigma auto --faces 800 --report auto.html --quiet
+check "it opens, as the others" open_page auto.html
+check "sigma is told as it is" contains '<td>sigma 1 / sqrt|K|</td>'
+check "no number that is none there" [ "$(grep -Ec 'NaN|undefined' <(sed '/<script type/,$d' dom))" -eq 0 ]
+
 # by measured error there is no function: no row and no histogram of what it tells
 check "a page by measured error" "$program" "$data/sphere.off" error.off --faces 200 --report error.html --quiet
 check "it opens as well" open_page error.html

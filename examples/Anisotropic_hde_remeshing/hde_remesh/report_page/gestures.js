@@ -72,7 +72,12 @@ function step(id, by) {
 
 function slide(by) { element("slider").value = Number(element("slider").value) + by; showOverlay(); }
 
-function whole() { camera.isWhole = true; askForDraw(); }
+function whole() {
+  camera.isWhole = true;
+  chosen.isCutFree = false;
+  if (chosen.face !== null) tellFace();
+  askForDraw();
+}
 
 function lookAlong(axis, isFromBehind) {
   camera.rotation = viewsAlong[axis];

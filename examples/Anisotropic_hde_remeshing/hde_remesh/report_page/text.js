@@ -60,7 +60,7 @@ function fillParameters() {
   const add = (name, ...values) => addRow(table, [name, values.join(", ")]);
   add("input, output", r.input, r.output);
   if (r.sigma !== undefined) add("sigma", inD(r.sigma));
-  add("embedding", text(r.embedding).replace(/^sigma (\d[^,]*)/, (_, sigma) => "sigma " + inD(Number(sigma))));
+  add("embedding", text(r.embedding).replace(/^sigma ([\d.e+-]+)(?=,|$)/, (_, sigma) => "sigma " + inD(Number(sigma))));
   if (r.target_edge_length !== undefined) add("6D edge length aimed at", inD(r.target_edge_length));
   if (r.target_faces !== undefined) add("triangles aimed at", text(r.target_faces));
   if (r.error !== undefined) add("error asked for, and the bound found", inD(r.error), inD(r.error_bound));
