@@ -131,7 +131,7 @@ void add_size_options(CLI::App& app, Options& o)
                "move the vertices off the surface in the end, to where the distance is least; by measured error, where they\n"
                "are off it anyway: more iterations, and hardly a price of long triangles");
   app.add_option("--aspect-ratio", o.aspect_ratio,
-                 "by measured error: the longest edge over the altitude that triangles shall not exceed, 2 for a mesh to\n"
+                 "by measured error: the longest edge over the altitude that triangles shall not exceed, 5 for a mesh to\n"
                  "compute on (an equilateral triangle has 1.15)");
   app.add_option("--shape-weight", o.shape_weight,
                  "by measured error: what long triangles cost, 0 for the least distance (default 2; with --fit 0.1)");
