@@ -30,11 +30,11 @@ namespace {
 
 typedef std::pair<Point_3, Vector_3> Point_with_normal;
 
-// How much larger facets may be than the spacing, where few are asked for: at least four for each of those, so that there is a
+// How much larger facets may be than the spacing, where few are asked for: at least two for each of those, so that there is a
 // choice, and so many spacings at most, so that details stay. On area A a mesh of facets of size s has about 1.6 A / s^2 of them.
 double coarseness(const std::size_t number_of_points, const Options& options)
 {
-  static constexpr double faces_for_each = 4, faces_on_square = 1.6, largest = 4;
+  static constexpr double faces_for_each = 2, faces_on_square = 1.6, largest = 4;
   std::optional<double> number_of_faces;
   if (options.faces)
     number_of_faces = static_cast<double>(*options.faces);
