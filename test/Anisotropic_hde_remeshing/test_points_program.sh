@@ -130,7 +130,7 @@ fi
 # ------------------------------------------------------------------------------------------ the rest of the program
 check "a number of faces" run 0 e.xyz f.ply --faces 600 --json f.json
 check "it is met" has '^faces +[0-9]+ +600$' stdout
-check "fewer facets for fewer faces" awk '$1 == "faces" { exit !($2 < 3000 && $2 >= 2000) }' stdout
+check "fewer facets for fewer faces" awk '$1 == "faces" { exit !($2 < 1500 && $2 >= 1000) }' stdout
 check "what was found is in the table" has '^points: 2000, 0 without normal, 0 outliers' stdout
 for key in '"number": 2000' '"outliers": 0' '"components": 1' '"holes_closed": 0' '"noise": ' '"spacing": 0\.'; do
   check "$key in the JSON" has "$key" f.json
