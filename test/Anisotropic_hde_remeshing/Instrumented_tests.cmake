@@ -104,7 +104,7 @@ if(CGAL_AHR_VALGRIND)
 endif()
 
 # What users of Debian 13 and of the next Debian have: programs compile with other versions of CGAL, Boost and Eigen, with
-# another compiler, and without TBB, and with the first hde_remesh and an example run. Tests compile with the second.
+# another compiler, and without TBB, and with the first hde_remesh runs. Tests compile with the second.
 # scripts/build_elsewhere.sh builds all in all combinations. add_test_elsewhere(NAME CONFIGURATION TARGETS TESTS)
 function(add_test_elsewhere name configuration targets tests)
   add_test(NAME ${name} COMMAND "${PROJECT_SOURCE_DIR}/scripts/build_elsewhere.sh" ${configuration})
@@ -113,8 +113,7 @@ function(add_test_elsewhere name configuration targets tests)
 endfunction()
 
 if(UNIX)
-  add_test_elsewhere(elsewhere_gcc_trixie g++,17,trixie,ON "hde_remesh remesh_example"
-    "^(hde_remesh_runs|example_remesh_example)$")
+  add_test_elsewhere(elsewhere_gcc_trixie g++,17,trixie,ON "hde_remesh" "^hde_remesh_runs$")
   add_test_elsewhere(elsewhere_clang_trixie clang++,17,trixie,ON "syntax_check_examples syntax_check_tests" "")
   add_test_elsewhere(elsewhere_clang_forky clang++,20,forky,OFF
     "syntax_check_examples syntax_check_hde_remesh syntax_check_instantiations public_headers" "")
