@@ -10,9 +10,8 @@
 # Anisotropic_hde_remeshing::compiled, a shared library, and Anisotropic_hde_remeshing::compiled_static. To be included after the target
 # of the headers is there.
 
-set(instantiations_dir "${CMAKE_CURRENT_LIST_DIR}/shared_instantiations")
-
-add_library(compiled_objects OBJECT "${instantiations_dir}/parallel.cpp" "${instantiations_dir}/sequential.cpp")
+add_library(compiled_objects OBJECT
+  "${CMAKE_CURRENT_LIST_DIR}/shared_instantiations/parallel.cpp" "${CMAKE_CURRENT_LIST_DIR}/shared_instantiations/sequential.cpp")
 target_link_libraries(compiled_objects PUBLIC Anisotropic_hde_remeshing::Anisotropic_hde_remeshing)
 target_compile_definitions(compiled_objects PRIVATE CGAL_AHR_WITH_SHARED_INSTANTIATIONS)
 set_target_properties(compiled_objects PROPERTIES POSITION_INDEPENDENT_CODE ON)

@@ -6,8 +6,8 @@
 #
 # Author(s)     : The Anisotropic_hde_remeshing developers
 
-# Debian packages of the headers, of the compiled library and of the program: cmake --build BUILD_DIR --target package. To be included after all
-# that is installed.
+# Debian packages of the headers, of the compiled library and of the program: cmake --build BUILD_DIR --target package. To be included
+# after all that is installed.
 
 set(package_info "${PROJECT_SOURCE_DIR}/package_info/Anisotropic_hde_remeshing")
 file(STRINGS "${package_info}/description.txt" CPACK_PACKAGE_DESCRIPTION_SUMMARY LIMIT_COUNT 1)

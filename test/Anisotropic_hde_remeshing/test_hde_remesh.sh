@@ -16,39 +16,11 @@ if [ $# -ne 2 ] || [ ! -x "$1" ] || [ ! -d "$2/meshes" ]; then
 fi
 program=$(realpath "$1")
 data=$(realpath "$2")/meshes
-folder=$(mktemp -d) || exit 2
-trap 'chmod -R u+w "$folder"; rm -rf "$folder"' EXIT
-cd "$folder" || exit 2
-passed=0
-failed=0
-
-# check NAME COMMAND...: counts whether the command succeeds
-check() {
-  local name=$1
-  shift
-  if "$@"; then
-    passed=$((passed + 1))
-  else
-    failed=$((failed + 1))
-    echo "failed: $name: $*"
-    sed 's/^/    /' stderr 2>/dev/null | head -5
-  fi
-}
-
-# run STATUS ARGUMENTS...: runs the program, its output in stdout and stderr, and compares the exit status
-run() {
-  local expected=$1
-  shift
-  "$program" "$@" >stdout 2>stderr
-  local status=$?
-  [ $status -eq "$expected" ] && return 0
-  echo "exit status $status instead of $expected: hde_remesh $*"
-  return 1
-}
+# shellcheck source=program_checks.sh
+source "$(dirname "$0")/program_checks.sh"
 
 has_one_line() { [ "$(wc -l <stderr)" -eq 1 ] && grep -q '^hde_remesh: ' stderr && [ ! -s stdout ]; }
 is_free_of_control_characters() { ! grep -q '[[:cntrl:]]' "$1"; }
-says() { grep -qF -- "$1" stderr; }
 has_no_temporary_file() { [ -z "$(ls -A "${1:-.}" | grep '^\.hde_remesh')" ]; }
 
 # refuses STATUS TEXT ARGUMENTS...: the program fails with the status and one line that contains the text, and neither
@@ -539,6 +511,4 @@ check "status after SIGKILL" [ $? -eq 137 ]
 check "the old file after SIGKILL" grep -qx precious old.off
 rm -f .hde_remesh*
 
-rm -f stdout stderr
-echo "$passed passed, $failed failed"
-[ $failed -eq 0 ]
+summary

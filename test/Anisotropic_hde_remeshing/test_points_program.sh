@@ -15,37 +15,9 @@ if [ $# -ne 1 ] || [ ! -x "$1" ]; then
   exit 2
 fi
 program=$(realpath "$1")
-folder=$(mktemp -d) || exit 2
-trap 'rm -rf "$folder"' EXIT
-cd "$folder" || exit 2
-passed=0
-failed=0
+# shellcheck source=program_checks.sh
+source "$(dirname "$0")/program_checks.sh"
 
-# check NAME COMMAND...: counts whether the command succeeds
-check() {
-  local name=$1
-  shift
-  if "$@"; then
-    passed=$((passed + 1))
-  else
-    failed=$((failed + 1))
-    echo "failed: $name: $*"
-    sed 's/^/    /' stderr 2>/dev/null | head -5
-  fi
-}
-
-# run STATUS ARGUMENTS...: runs the program, its output in stdout and stderr, and compares the exit status
-run() {
-  local expected=$1
-  shift
-  "$program" "$@" >stdout 2>stderr
-  local status=$?
-  [ $status -eq "$expected" ] && return 0
-  echo "exit status $status instead of $expected: hde_remesh $*"
-  return 1
-}
-
-says() { grep -qF -- "$1" stderr; }
 has() { grep -Eq -- "$1" "$2"; }
 is_closed_sphere() { has '^components +1 +1$' stdout && has '^boundary loops +0 +0$' stdout && has '^Euler characteristic +2 +2$' stdout; }
 has_one_boundary() { has '^components +1 +1$' stdout && has '^boundary loops +1 +1$' stdout; }
@@ -263,6 +235,4 @@ for option in "--trim .1" --keep-largest --keep-outliers; do
   refuses "${option% *} is for points" o_xyz.off $option
 done
 
-rm -f stdout stderr
-echo "$passed passed, $failed failed"
-[ $failed -eq 0 ]
+summary

@@ -19,23 +19,10 @@ program=$(realpath "$1")
 data=$(realpath "$2")/meshes
 browser=$3
 uses=$(realpath "$(dirname "$0")")/report_page_checks.js
-folder=$(mktemp -d) || exit 2
-trap 'rm -rf "$folder"' EXIT
-cd "$folder" || exit 2
-export HOME=$folder # of the browser
-passed=0
-failed=0
+# shellcheck source=program_checks.sh
+source "$(dirname "$0")/program_checks.sh"
 
-check() {
-  local name=$1
-  shift
-  if "$@"; then
-    passed=$((passed + 1))
-  else
-    failed=$((failed + 1))
-    echo "failed: $name: $*"
-  fi
-}
+export HOME=$folder # of the browser
 
 # open PAGE: the page as its scripts leave it, in dom
 open_page() {
@@ -154,5 +141,4 @@ check "of distances to the other mesh" contains '<figcaption>signed distance to 
 check "nothing to the surface" [ "$(grep -c 'zero set\|kernel\|sigma' <(sed '/<script type/,$d' dom))" -eq 0 ]
 check "no number that is none in it" [ "$(grep -Ec 'NaN|undefined' <(sed '/<script type/,$d' dom))" -eq 0 ]
 
-echo "$passed passed, $failed failed"
-[ $failed -eq 0 ]
+summary

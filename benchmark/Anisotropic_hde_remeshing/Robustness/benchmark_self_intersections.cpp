@@ -14,11 +14,11 @@
 // benchmark_self_intersections MESH...
 
 #include "mesh_quality.h"
+#include "seconds_of.h"
 #include "shapes.h"
 
 #include <CGAL/Anisotropic_hde_remeshing/Curvature_metric.h>
 #include <CGAL/Rbf_implicit_function.h>
-#include <CGAL/Timer.h>
 #include <CGAL/anisotropic_hde_remeshing.h>
 
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
@@ -50,15 +50,6 @@ struct Sum
   double log_of_ratios = 0, largest_ratio = 0;
 };
 typedef std::map<std::string, Sum> Sums; // by mode
-
-template <typename Call>
-double processor_seconds_of(const Call& call)
-{
-  CGAL::Timer timer;
-  timer.start();
-  call();
-  return timer.time();
-}
 
 template <typename Remesh>
 void run(const std::string& mode, const Mesh& input, const std::size_t before, const std::size_t number_of_faces,
