@@ -253,16 +253,20 @@ private:
   // the same where these vertices have been taken back: their faces, and the faces around these
   std::vector<Face_index> left_faces_around(const std::vector<Vertex_index>& vertices, const Simultaneous_moves<Mesh>& moves)
   {
+    std::vector<char> is_added(face_capacity(m_mesh), 0);
     std::vector<Face_index> faces;
+    const auto add = [&](const Face_index f)
+    {
+      if (!std::exchange(is_added[f], 1))
+        faces.push_back(f);
+    };
     for (const Vertex_index v : vertices)
       for (const Halfedge_index h : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
         if (!m_mesh.is_border(h))
-        {
-          faces.push_back(m_mesh.face(h));
-          for_each_face_around(m_mesh.face(h), [&](const Face_index f) { faces.push_back(f); });
-        }
+          add(m_mesh.face(h));
+    for (std::size_t i = 0, n = faces.size(); i < n; ++i)
+      for_each_face_around(faces[i], add);
     std::sort(faces.begin(), faces.end());
-    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
     std::vector<Face_index> result;
     for (const Face_index f : faces)
       for (std::uint32_t i = m_first[f]; i != none; i = m_landmarks[i].next)
