@@ -13,6 +13,7 @@
 
 #include <CGAL/Anisotropic_hde_remeshing/internal/geometry/Vector.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/Indexed_triangle.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/rounded_box.h>
 
 #include <Eigen/Geometry>
 
@@ -36,13 +37,20 @@ namespace internal {
 class Triangle_grids
 {
   typedef Eigen::Matrix<std::int64_t, 3, 1> Cell;
-  typedef boost::container::small_vector<std::uint32_t, 6> Slots;
+  // of a triangle in a cell; its box, rounded to the outside, is here, as most queries need no more
+  struct Slot
+  {
+    Eigen::AlignedBox3f box;
+    std::uint32_t entry;
+  };
+  typedef boost::container::small_vector<Slot, 6> Slots;
   struct Hash
   {
     std::size_t operator()(const std::uint64_t key) const { return std::size_t(key); } // keys are mixed already
   };
   struct Grid
   {
+    double size_of_cells; // as large as the boxes at least
     std::size_t number_of_triangles = 0;
     std::unordered_map<std::uint64_t, Slots, Hash> cells;
   };
@@ -83,10 +91,12 @@ public:
     const std::uint32_t slot = m_slots[number] = m_free.back();
     m_free.pop_back();
     const Box box = box_of(triangle);
-    m_entries[slot] = Entry{triangle, box, number, level_of(box)};
-    Grid& grid = m_grids[m_entries[slot].level];
+    const int level = level_of(box);
+    m_entries[slot] = Entry{triangle, box, number, level};
+    Grid& grid = m_grids.try_emplace(level, Grid{m_size * std::pow(growth, level), 0, {}}).first->second;
     ++grid.number_of_triangles;
-    for_each_cell(box, m_entries[slot].level, [&](const Cell& c) { grid.cells[key(c)].push_back(slot); });
+    const Slot in_cell{rounded_box(box.min(), box.max()), slot};
+    for_each_cell(box, grid.size_of_cells, [&](const Cell& c) { grid.cells[key(c)].push_back(in_cell); });
   }
 
   // it must be there
@@ -95,11 +105,12 @@ public:
     const std::uint32_t slot = m_slots[number];
     const Entry& entry = m_entries[slot];
     const auto grid = m_grids.find(entry.level);
-    for_each_cell(entry.box, entry.level,
+    for_each_cell(entry.box, grid->second.size_of_cells,
                   [&](const Cell& c)
                   {
                     const auto cell = grid->second.cells.find(key(c));
-                    cell->second.erase(std::find(cell->second.begin(), cell->second.end(), slot));
+                    cell->second.erase(std::find_if(cell->second.begin(), cell->second.end(),
+                                                    [slot](const Slot& s) { return s.entry == slot; }));
                     if (cell->second.empty())
                       grid->second.cells.erase(cell);
                   });
@@ -113,18 +124,20 @@ public:
   template <typename Visit>
   void for_each_near(const Box& box, const Visit& visit) const
   {
+    const Eigen::AlignedBox3f rounded = rounded_box(box.min(), box.max());
     for (const auto& level : m_grids)
     {
-      const Vector number_of_cells = (box.sizes() / size_of_cells(level.first)).array() + 1.;
-      if (number_of_cells.prod() > double(level.second.number_of_triangles))
-        for_each_in_grid(level.second, level.first, box, visit);
+      const Grid& grid = level.second;
+      const Vector number_of_cells = (box.sizes() / grid.size_of_cells).array() + 1.;
+      if (number_of_cells.prod() > double(grid.number_of_triangles))
+        for_each_in_grid(grid, box, visit);
       else
-        for_each_cell(box, level.first,
+        for_each_cell(box, grid.size_of_cells,
                       [&](const Cell& c)
                       {
-                        const auto found = level.second.cells.find(key(c));
-                        if (found != level.second.cells.end())
-                          for_each_in_cell(found->second, c, level.first, box, visit);
+                        const auto found = grid.cells.find(key(c));
+                        if (found != grid.cells.end())
+                          for_each_in_cell(found->second, c, grid.size_of_cells, box, rounded, visit);
                       });
     }
   }
@@ -141,9 +154,6 @@ private:
     int level;
   };
 
-  // as large as the boxes at least
-  double size_of_cells(const int level) const { return m_size * std::pow(growth, level); }
-
   int level_of(const Box& box) const
   {
     int level = 0;
@@ -152,9 +162,14 @@ private:
     return level;
   }
 
-  Cell cell(const Vector& p, const int level) const
+  static Cell cell(const Vector& p, const double size)
   {
-    return (p / size_of_cells(level)).array().floor().matrix().cast<std::int64_t>();
+    const auto floor = [](const double x)
+    {
+      const std::int64_t i = std::int64_t(x);
+      return i - (double(i) > x ? 1 : 0);
+    };
+    return Cell(floor(p[0] / size), floor(p[1] / size), floor(p[2] / size));
   }
 
   // Cells may have the same key: boxes tell.
@@ -166,9 +181,9 @@ private:
   }
 
   template <typename Visit>
-  void for_each_cell(const Box& box, const int level, const Visit& visit) const
+  static void for_each_cell(const Box& box, const double size, const Visit& visit)
   {
-    const Cell first = cell(box.min(), level), last = cell(box.max(), level);
+    const Cell first = cell(box.min(), size), last = cell(box.max(), size);
     Cell c;
     for (c[0] = first[0]; c[0] <= last[0]; ++c[0])
       for (c[1] = first[1]; c[1] <= last[1]; ++c[1])
@@ -178,24 +193,27 @@ private:
 
   // a triangle in several cells is visited in the first one that it shares with the box
   template <typename Visit>
-  void for_each_in_cell(const Slots& slots, const Cell& c, const int level, const Box& box, const Visit& visit) const
+  void for_each_in_cell(const Slots& slots, const Cell& c, const double size, const Box& box,
+                        const Eigen::AlignedBox3f& rounded, const Visit& visit) const
   {
-    for (const std::uint32_t slot : slots)
+    for (const Slot& slot : slots)
     {
-      const Entry& entry = m_entries[slot];
-      if (entry.box.intersects(box) && cell(entry.box.min().cwiseMax(box.min()), level) == c)
+      if (!slot.box.intersects(rounded))
+        continue;
+      const Entry& entry = m_entries[slot.entry];
+      if (entry.box.intersects(box) && cell(entry.box.min().cwiseMax(box.min()), size) == c)
         visit(entry.number, entry.triangle, entry.box);
     }
   }
 
   template <typename Visit>
-  void for_each_in_grid(const Grid& grid, const int level, const Box& box, const Visit& visit) const
+  void for_each_in_grid(const Grid& grid, const Box& box, const Visit& visit) const
   {
     for (const auto& cell_of_grid : grid.cells)
-      for (const std::uint32_t slot : cell_of_grid.second)
+      for (const Slot& slot : cell_of_grid.second)
       {
-        const Entry& entry = m_entries[slot];
-        if (entry.box.intersects(box) && key(cell(entry.box.min(), level)) == cell_of_grid.first)
+        const Entry& entry = m_entries[slot.entry];
+        if (entry.box.intersects(box) && key(cell(entry.box.min(), grid.size_of_cells)) == cell_of_grid.first)
           visit(entry.number, entry.triangle, entry.box);
       }
   }

@@ -15,6 +15,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/Interruption.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/parallel/parallel.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/Indexed_triangle.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/rounded_box.h>
 
 #include <Eigen/Geometry>
 #include <boost/geometry/algorithms/covered_by.hpp>
@@ -72,7 +73,7 @@ public:
   template <typename Visit>
   void for_each_near(const Vector& p, const double distance, const Visit& visit) const
   {
-    const Box box = rounded(p - Vector::Constant(distance), p + Vector::Constant(distance));
+    const Box box = rounded_box(p - Vector::Constant(distance), p + Vector::Constant(distance));
     for_each_group(box,
                    [&](const std::size_t g)
                    {
@@ -131,23 +132,10 @@ private:
     return Box_in_tree(Corner(b.min()[0], b.min()[1], b.min()[2]), Corner(b.max()[0], b.max()[1], b.max()[2]));
   }
 
-  static Box rounded(const Vector& low, const Vector& high)
-  {
-    static constexpr double epsilon = std::numeric_limits<float>::epsilon(), least = (std::numeric_limits<float>::min)();
-    const auto margin = [](const double x) { return (std::max)(epsilon * std::abs(x), least); };
-    Box result;
-    for (int k = 0; k < 3; ++k)
-    {
-      result.min()[k] = float(low[k] - margin(low[k]));
-      result.max()[k] = float(high[k] + margin(high[k]));
-    }
-    return result;
-  }
-
   static Box box_of(const Indexed_triangle& t)
   {
-    return rounded(t.points[0].cwiseMin(t.points[1]).cwiseMin(t.points[2]),
-                   t.points[0].cwiseMax(t.points[1]).cwiseMax(t.points[2]));
+    return rounded_box(t.points[0].cwiseMin(t.points[1]).cwiseMin(t.points[2]),
+                       t.points[0].cwiseMax(t.points[1]).cwiseMax(t.points[2]));
   }
 
   template <typename Visit>
