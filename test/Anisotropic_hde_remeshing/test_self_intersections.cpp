@@ -13,6 +13,7 @@
 #include "promises.h"
 
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/Intersection_guard.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/Mesh_intersections.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/Triangle_groups.h>
 #include <CGAL/Rbf_implicit_function.h>
 #include <CGAL/anisotropic_hde_remeshing.h>
@@ -110,6 +111,60 @@ void test_guard()
   CHECK(guard.intersecting(1, [](std::size_t) { return true; }).empty());
   CHECK(guard.accepts(std::vector<std::size_t>{5}, std::vector<Indexed_triangle>{floor}) == false);
   CHECK(guard.accepts(only_above, std::vector<Indexed_triangle>{floor}));
+}
+
+// A small triangle far above a floor. Work that lets it dip through the floor is taken back and done again until it does not, or the
+// attempts are at an end; then it is worth to begin again, twice. If it is interrupted, the second attempt is the last one.
+void test_attempts(const int first_good_attempt, const bool is_interrupted)
+{
+  struct Nothing
+  {
+  };
+  typedef Hde::internal::Working_mesh<Nothing> Working_mesh;
+  Working_mesh mesh;
+  std::vector<Hde::internal::Vertex_index> vertices;
+  for (const Vector& p :
+       {Vector(-9, -9, 0), Vector(9, -9, 0), Vector(0, 9, 0), Vector(-1, 0, 5), Vector(1, 0, 5), Vector(0, 1, 5)})
+  {
+    Working_mesh::Vertex vertex;
+    vertex.point = p;
+    vertices.push_back(mesh.add_vertex(vertex));
+  }
+  mesh.add_face(vertices[0], vertices[1], vertices[2]);
+  const auto above = mesh.add_face(vertices[3], vertices[4], vertices[5]);
+  const Hde::internal::Edge_index edge = mesh.edge(mesh.halfedge(above));
+
+  Hde::internal::Interruption interruption([is_interrupted] { return !is_interrupted; });
+  Hde::internal::Mesh_intersections<Working_mesh> intersections(mesh, Hde::internal::Obstacles(), true);
+  intersections.find_near_sheets<CGAL::Sequential_tag>(1, 0, interruption);
+  CHECK(!intersections.has_near_sheets());
+  interruption.ask();
+  std::vector<bool> is_near;
+  const auto dip = [&]
+  {
+    is_near.push_back(intersections.is_near_sheet(edge));
+    mesh.point(vertices[5]).point[2] = int(is_near.size()) < first_good_attempt ? -1 : 4;
+  };
+  const auto take_back = [&] { mesh.point(vertices[5]).point[2] = 5; };
+  intersections.keep_pairs<CGAL::Sequential_tag>(dip, take_back, interruption);
+  const std::size_t expected = is_interrupted ? 2 : std::size_t((std::min)(first_good_attempt, 3));
+  CHECK(is_near.size() == expected);
+  CHECK(!is_near[0] && (is_near.size() < 2 || is_near[1]));
+  CHECK(intersections.number_of_pairs_before() == 0);
+  const bool has_failed = int(expected) < first_good_attempt;
+  CHECK(intersections.number_of_pairs() == (has_failed ? 1 : 0));
+  for (const bool is_to_restart : {true, true, false})
+  {
+    if (!has_failed)
+      break;
+    CHECK(intersections.has_more_pairs() && intersections.is_to_restart() == is_to_restart);
+    if (!is_to_restart)
+      break;
+    intersections.restart();
+    CHECK(!intersections.has_more_pairs());
+    take_back();
+    intersections.keep_pairs<CGAL::Sequential_tag>([&] { mesh.point(vertices[5]).point[2] = -1; }, take_back, interruption);
+  }
 }
 
 // sheets that are closer than the faces are long: faces intersect if that is not tested, and fold if that were not refused
@@ -288,6 +343,9 @@ int main()
     test_pairs(number_of_shared, 1000, 0.37);
   }
   test_guard();
+  for (const int first_good_attempt : {1, 2, 3, 9})
+    test_attempts(first_good_attempt, false);
+  test_attempts(2, true);
   test_sheets();
   test_default();
   test_intersecting_input();

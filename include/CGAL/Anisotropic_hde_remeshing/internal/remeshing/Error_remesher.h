@@ -76,18 +76,21 @@ public:
       m_parameters(parameters),
       m_visitor(visitor),
       m_interruption(visitor.interruption()),
+      m_intersections(guard.intersections()),
       m_distance_of_samples(share_of_error * parameters.error),
       m_number_of_rounds(parameters.fit_to_surface ? 5 * parameters.number_of_iterations / 2 : parameters.number_of_iterations),
       m_price(parameters.shape_weight, parameters.aspect_ratio_bound)
   {
   }
 
+  // Stops before the end if it is worth to begin again, as more faces intersect than before.
   void operator()()
   {
     write_stage(m_mesh, "input");
     const std::vector<Vertex_index> new_vertices = coarsen();
     write_stage(m_mesh, "coarsened");
-    if (m_interruption.ask())
+    m_intersections.template count_pairs<ConcurrencyTag>();
+    if (m_interruption.ask() || m_intersections.is_to_restart())
       return;
     report_progress(0);
     Start start;
@@ -96,6 +99,34 @@ public:
       write_stage(m_mesh, "finished");
       return; // it is the input, or what that was split to
     }
+    Mesh coarse; // to return to
+    if (m_intersections.is_active())
+      coarse = m_mesh;
+    m_intersections.template keep_pairs<ConcurrencyTag>([&] { improve(new_vertices, start); }, [&] { m_mesh = coarse; },
+                                                        m_interruption);
+    write_stage(m_mesh, "finished");
+  }
+
+  // the faces that do not keep the error in the end
+  const std::vector<Failing_face>& failing() const { return m_failing; }
+
+  // the bound on the distances between the mesh and the input if an error was asked for; otherwise 0
+  double error_bound() const { return m_error_bound; }
+
+  const Operation_statistics& statistics() const { return m_statistics; }
+  unsigned int number_of_rounds() const { return m_number_of_rounds_done; }
+
+private:
+  // the mesh before the rounds, and its distance to the input
+  struct Start
+  {
+    Mesh mesh;
+    Rms_and_max distance;
+  };
+
+  // does the rounds; `new_vertices` stand for the points of the input
+  void improve(const std::vector<Vertex_index>& new_vertices, const Start& start)
+  {
     Reference_samples samples(m_input.points(), m_input.facets(), areas_around(new_vertices), number_of_samples());
     samples.template sort_by<ConcurrencyTag>([&](const Reference_sample& s) { return new_vertices[s.start]; });
     Owners owners(m_mesh, samples);
@@ -105,10 +136,7 @@ public:
       owners.set_largest_distance(m_distance_of_samples);
     measure(owners, true);
     if (has_lost_nothing(owners))
-    {
-      write_stage(m_mesh, "finished");
       return; // what follows works with samples, and between them something can be lost
-    }
     for (unsigned int round = 0; round < m_number_of_rounds && !m_interruption.ask(); ++round)
     {
       do_round(tools, round < number_of_rounds_that_change_vertices());
@@ -124,19 +152,8 @@ public:
       m_statistics.number_of_collapses += tools.refine.number_of_collapses();
       m_statistics.number_of_splits += tools.refine.number_of_splits();
     }
-    write_stage(m_mesh, "finished");
   }
 
-  // the faces that do not keep the error in the end
-  const std::vector<Failing_face>& failing() const { return m_failing; }
-
-  // the bound on the distances between the mesh and the input if an error was asked for; otherwise 0
-  double error_bound() const { return m_error_bound; }
-
-  const Operation_statistics& statistics() const { return m_statistics; }
-  unsigned int number_of_rounds() const { return m_number_of_rounds_done; }
-
-private:
   double number_of_samples() const
   {
     const double n = double(m_mesh.number_of_faces()), factor = keeps_error() ? more_samples_for_error : 1.;
@@ -176,13 +193,6 @@ private:
     return m_parameters.has_long_facets && !keeps_error() && m_number_of_rounds > 0 && m_parameters.aspect_ratio_bound == 0;
   }
 
-  // the mesh before the rounds, and its distance to the input
-  struct Start
-  {
-    Mesh mesh;
-    Rms_and_max distance;
-  };
-
   // Whether the mesh is the input, to the rounding of files in single precision. If not, the start is kept.
   bool is_exact(Start& start) const
   {
@@ -201,7 +211,7 @@ private:
     if (distance.rms * distance.max <= start.distance.rms * start.distance.max)
       return;
     m_mesh = start.mesh;
-    m_guard.template update_all<ConcurrencyTag>(m_interruption);
+    m_guard.template update_all<ConcurrencyTag>();
   }
 
   // whether the mesh with a number of faces is the input to rounding
@@ -274,7 +284,7 @@ private:
         points[v] = m_mesh.point(roots[v]).input_vertex;
     }
     reorder_in_space<ConcurrencyTag>(m_mesh, m_interruption);
-    m_guard.template update_all<ConcurrencyTag>(m_interruption);
+    m_guard.template update_all<ConcurrencyTag>();
     std::vector<Vertex_index> vertices(points.size());
     for (const Vertex_index v : m_mesh.vertices())
       vertices[m_mesh.point(v).input_vertex] = v;
@@ -354,6 +364,7 @@ private:
   const Remeshing_parameters& m_parameters;
   const Visitor_reference m_visitor;
   Interruption& m_interruption;
+  Mesh_intersections<Mesh>& m_intersections;
   const double m_distance_of_samples; // at most
   const unsigned int m_number_of_rounds;
   Shape_price m_price;

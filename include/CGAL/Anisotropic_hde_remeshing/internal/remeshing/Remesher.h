@@ -72,6 +72,7 @@ public:
       m_has_creases(curves.bounds_deviation()),
       m_visitor(visitor),
       m_interruption(visitor.interruption()),
+      m_intersections(intersections),
       m_guard(mesh, projection.function(), intersections),
       m_operations(mesh, embedding, projection, curves, m_guard, parameters.allowed, m_interruption),
       m_projector(mesh, embedding, projection, curves, m_guard),
@@ -100,11 +101,60 @@ public:
     check_number_of_faces(m_target);
   }
 
-  // requires that the target is found
+  // Requires that the target is found. Stops before the end if it is worth to begin again, as more faces intersect than before.
   void run()
   {
     keep_landmarks();
-    for (; !m_plan.is_done() && go_further(); m_plan.advance())
+    for (m_is_finished = false; !m_is_finished && !m_intersections.is_to_restart();)
+    {
+      const unsigned int end = m_plan.iterations_at_next_check();
+      if (m_intersections.has_near_sheets())
+      {
+        const State state(*this);
+        m_intersections.template keep_pairs<ConcurrencyTag>([&] { iterate_until(end); }, [&] { return_to(state); },
+                                                            m_interruption);
+      }
+      else // that they intersect is so rare that the memory for a copy is not worth it
+      {
+        iterate_until(end);
+        m_intersections.template count_pairs<ConcurrencyTag>();
+      }
+    }
+  }
+
+  // what was done; requires that the mesh is remeshed
+  const Remeshing_report& report() const { return m_report; }
+
+private:
+  // what changes from iteration to iteration
+  struct State
+  {
+    explicit State(const Remesher& r) : guard(r.m_guard.state()), target(r.m_target), plan(r.m_plan), report(r.m_report)
+    {
+      mesh = r.m_mesh;
+    }
+
+    Mesh mesh;
+    typename Guard::State guard;
+    Target_length target;
+    Iteration_plan plan;
+    Remeshing_report report;
+  };
+
+  void return_to(const State& state)
+  {
+    m_mesh = state.mesh;
+    m_guard.return_to(state.guard);
+    m_target = state.target;
+    m_plan = state.plan;
+    m_report = state.report;
+    m_projector.forget_unprojected();
+  }
+
+  // does iterations until so many are done, and finishes if these are all
+  void iterate_until(const unsigned int end)
+  {
+    for (; m_plan.iteration() < end && go_further(); m_plan.advance())
     {
       if (m_parameters.scheme == Remeshing_scheme::PAPER)
         iterate_as_the_paper();
@@ -121,13 +171,11 @@ public:
         m_error.approach(m_target);
       report_progress(1);
     }
-    finish();
+    m_is_finished = m_plan.is_done() || m_interruption.is_requested();
+    if (m_is_finished)
+      finish();
   }
 
-  // what was done; requires that the mesh is remeshed
-  const Remeshing_report& report() const { return m_report; }
-
-private:
   // Nothing may be lost that the target length does not explain: distances grow with its square.
   void keep_landmarks()
   {
@@ -210,7 +258,7 @@ private:
     const std::vector<Face_index> new_faces = reorder_in_space<ConcurrencyTag>(m_mesh, m_interruption);
     if (!new_faces.empty())
       m_guard.renumber_landmarks(new_faces);
-    m_guard.template update_all<ConcurrencyTag>(m_interruption);
+    m_guard.template update_all<ConcurrencyTag>();
   }
 
   // the number of faces over the one aimed at
@@ -376,12 +424,14 @@ private:
   const bool m_has_creases;
   const Visitor_reference m_visitor;
   Interruption& m_interruption;
+  Mesh_intersections<Mesh>& m_intersections;
   Guard m_guard;
   Operations m_operations;
   Projector m_projector;
   Error_control<ConcurrencyTag, Embedding, Projection, Guard, Operations, Projector> m_error;
   Target_length m_target;
   Iteration_plan m_plan;
+  bool m_is_finished = false;
   double m_length_of_landmarks = 0; // the target length for which their bounds are
   Remeshing_report m_report;
 };

@@ -84,6 +84,8 @@ void keep_error(Mesh& mesh, const Curve_network& curves, Guard& guard, const Inp
   for (const double share_of_error : {0.92, 0.92, 0.8, 0.6, 0.4, 0.4})
   {
     const auto failing = remesh_once<ConcurrencyTag>(mesh, curves, guard, input, parameters, visitor, share_of_error, report);
+    if (guard.intersections().is_to_restart())
+      return;
     for (const Vertex_index v : mesh.vertices())
       if (mesh.point(v).input_vertex != Vertex_state::no_vertex)
         mesh.point(v).is_fixed = original.point(Vertex_index(mesh.point(v).input_vertex)).is_fixed;
@@ -94,20 +96,20 @@ void keep_error(Mesh& mesh, const Curve_network& curves, Guard& guard, const Inp
     mesh = original;
     for (const Vertex_index v : mesh.vertices())
       mesh.point(v).is_fixed = mesh.point(v).is_fixed || is_kept[v];
-    guard.template update_all<ConcurrencyTag>(visitor.interruption());
+    guard.template update_all<ConcurrencyTag>();
   }
   if (visitor.interruption().is_requested())
     return;
   if (!(report.error <= parameters.error) || mesh.number_of_faces() > original.number_of_faces())
   {
     mesh = original;
-    guard.template update_all<ConcurrencyTag>(visitor.interruption());
+    guard.template update_all<ConcurrencyTag>();
     report.error = 0;
   }
   if (double(mesh.number_of_faces()) > parameters.target.number_of_faces())
   {
     mesh = original;
-    guard.template update_all<ConcurrencyTag>(visitor.interruption());
+    guard.template update_all<ConcurrencyTag>();
     Remeshing_parameters by_number = parameters;
     by_number.error = 0;
     remesh_once<ConcurrencyTag>(mesh, curves, guard, input, by_number, visitor, 0, report);
@@ -145,7 +147,10 @@ Remeshing_report remesh_by_error(Working_mesh<Normal_embedding::Vertex_data>& me
   timer.reset();
   visitor.stage_started(Stage::REMESHING);
   if (parameters.error > 0)
+  {
     keep_error<ConcurrencyTag>(mesh, curves, guard, input, parameters, visitor, report);
+    intersections.template count_pairs<ConcurrencyTag>(); // the mesh may be another one than the last that was remeshed
+  }
   else
     remesh_once<ConcurrencyTag>(mesh, curves, guard, input, parameters, visitor, 0, report);
   report.curves_after = feature_curves(mesh);

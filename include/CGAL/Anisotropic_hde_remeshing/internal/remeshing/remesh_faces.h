@@ -228,7 +228,7 @@ private:
       m_mesh.set_input_regions(regions_of_faces(m_origin, m_surface.creases, m_surface.number_of_regions));
   }
 
-  // Remeshes the copy, and begins anew where its faces intersect afterwards.
+  // Remeshes the copy, and begins anew if more of its faces intersect afterwards.
   void remesh_copy()
   {
     std::optional<Input_surface> input_with_sizes; // none if no sizes are asked for
@@ -240,8 +240,9 @@ private:
     try
     {
       Remeshing_report report = remesh_once(embedding, intersections);
-      while (intersections.template learns_from_pairs<ConcurrencyTag>(m_interruption))
+      while (intersections.is_to_restart())
       {
+        intersections.restart();
         load();
         split();
         report = remesh_once(embedding, intersections);

@@ -41,6 +41,8 @@ public:
   // before this call the guard accepts all faces
   void set_largest_distance(const double distance) { m_largest = distance; }
 
+  double largest_distance() const { return m_largest; }
+
   bool is_active() const { return std::isfinite(m_largest); }
 
   bool accepts(const Vertex_state& a, const Vertex_state& b, const Vertex_state& c, const Region region) const

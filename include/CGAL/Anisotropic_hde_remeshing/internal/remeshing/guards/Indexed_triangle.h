@@ -40,6 +40,15 @@ struct Indexed_triangle
   }
 };
 
+inline bool have_common_vertex(const Indexed_triangle& s, const Indexed_triangle& t)
+{
+  for (const std::size_t i : s.vertices)
+    for (const std::size_t k : t.vertices)
+      if (i == k)
+        return true;
+  return false;
+}
+
 // Tells whether two triangles have more in common than the vertices and the edge that they share. Most pairs are told apart in
 // doubles, where these leave no doubt. The others are told apart exactly. Triangles without area do not intersect
 // others: only the input has them.

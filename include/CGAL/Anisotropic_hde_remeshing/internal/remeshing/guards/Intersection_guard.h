@@ -46,6 +46,9 @@ public:
       m_faces.insert(t.first, t.second);
   }
 
+  // Whether faces with a common vertex are looked at, too. Most of them are side by side in one sheet, and fold before they intersect.
+  void look_at_neighbors(const bool looks) { m_looks_at_neighbors = looks; }
+
   void remove(const std::size_t f)
   {
     if (m_faces.has(f))
@@ -80,7 +83,7 @@ public:
     m_faces.for_each_near(Triangle_grids::box_of(m_faces[f]),
                           [&](const std::size_t g, const Indexed_triangle& t, const Box&)
                           {
-                            if (f != g && is_asked_for(g) && do_triangles_intersect(m_faces[f], t))
+                            if (f != g && is_asked_for(g) && do_intersect(m_faces[f], t))
                               result.push_back(g);
                           });
     std::sort(result.begin(), result.end());
@@ -88,6 +91,11 @@ public:
   }
 
 private:
+  bool do_intersect(const Indexed_triangle& s, const Indexed_triangle& t) const
+  {
+    return (m_looks_at_neighbors || !have_common_vertex(s, t)) && do_triangles_intersect(s, t);
+  }
+
   // of triangles that intersect each other or faces, without some of the faces
   template <typename Triangles, typename Faces>
   std::size_t number_of_pairs(const Triangles& triangles, const Faces& without) const
@@ -106,7 +114,7 @@ private:
                             if (std::find(without.begin(), without.end(), f) != without.end())
                               return;
                             for (std::size_t i = 0; i < triangles.size(); ++i)
-                              number += boxes[i].intersects(box) && do_triangles_intersect(triangles[i], t) ? 1 : 0;
+                              number += boxes[i].intersects(box) && do_intersect(triangles[i], t) ? 1 : 0;
                           });
     return number;
   }
@@ -128,6 +136,7 @@ private:
   }
 
   Triangle_grids m_faces;
+  bool m_looks_at_neighbors = true;
 };
 
 } // namespace internal

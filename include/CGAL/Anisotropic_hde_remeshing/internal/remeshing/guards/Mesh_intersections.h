@@ -40,14 +40,16 @@ struct Obstacles
   std::size_t first_free_number = 0;       // of vertices
 };
 
-// No operation may let faces intersect other faces or obstacles more often than before. Only faces near to another sheet are looked
-// at: elsewhere the guards against folds are enough. Whether they were is found out in the end.
+// No operation may let faces intersect other faces or obstacles more often than before. Only faces of other sheets nearby are looked
+// at: elsewhere the guards against folds are enough. Whether they were is found out by counts from time to time. Where they were not,
+// what was done since the last count is done again, and looks at faces there, too, or at all faces.
 template <typename Mesh>
 class Mesh_intersections
 {
   typedef typename Mesh::Vertex Vertex;
 
-  static constexpr int largest_number_of_attempts = 3;
+  static constexpr int largest_number_of_attempts = 3; // from one count to the next: at last all faces are looked at
+  static constexpr int largest_number_of_restarts = 2; // from the input; after the last one all faces are looked at throughout
 
 public:
   // does nothing unless `is_active`
@@ -65,46 +67,82 @@ public:
   {
     if (!m_is_active || interruption.is_requested())
       return;
-    if (m_number_of_attempts == 0)
+    if (m_number_of_restarts == 0)
     {
       const std::vector<Indexed_triangle> triangles = all_triangles<ConcurrencyTag>();
       const Triangle_groups<ConcurrencyTag> groups(triangles);
-      m_number_of_pairs = m_number_of_pairs_before = groups.intersecting_pairs(interruption).size();
+      const auto pairs = groups.intersecting_pairs(interruption);
+      m_number_of_pairs = m_number_of_pairs_before = pairs.size();
       m_sheets = Near_sheets(triangles, groups,
                              distance > 0 ? std::vector<double>(triangles.size(), distance)
                                           : heights_over_triangles<ConcurrencyTag>(triangles, length),
                              length);
+      add_sheets(pairs, triangles);
     }
-    update_all<ConcurrencyTag>(interruption);
+    update_all<ConcurrencyTag>();
   }
 
-  // Counts the pairs of the mesh as it is now. If there are more than before, sheets are near there from now on, and after the
-  // second time everywhere. Returns whether it is worth to begin again.
+  // Counts the pairs of the mesh as it is now. If there are more than at the last count, sheets are near there from now on.
   template <typename ConcurrencyTag>
-  bool learns_from_pairs(Interruption& interruption)
+  void count_pairs()
   {
-    if (!m_is_active || interruption.is_requested())
-      return false;
+    if (!m_is_active)
+      return;
+    Interruption never;
     const std::vector<Indexed_triangle> triangles = all_triangles<ConcurrencyTag>();
-    const auto pairs = Triangle_groups<ConcurrencyTag>(triangles).intersecting_pairs(interruption);
-    m_number_of_pairs = pairs.size();
-    if (m_number_of_pairs <= m_number_of_pairs_before)
-      return false;
-    for (const auto& pair : pairs)
-      for (const std::size_t i : {pair.first, pair.second})
-        m_sheets.add(triangles[i]);
-    if (++m_number_of_attempts == largest_number_of_attempts - 1)
-      m_sheets = Near_sheets();
-    return m_number_of_attempts < largest_number_of_attempts;
+    const auto pairs = Triangle_groups<ConcurrencyTag>(triangles).intersecting_pairs(never);
+    if (std::exchange(m_number_of_pairs, pairs.size()) < pairs.size())
+      add_sheets(pairs, triangles);
+  }
+
+  // whether more pairs intersect than before, by the last count
+  bool has_more_pairs() const { return m_number_of_pairs > m_number_of_pairs_before; }
+
+  // Calls `remesh()`, and counts. As long as there are more pairs than at the last count, it calls `take_back()`, which makes the mesh as
+  // it was, and `remesh()` again: then sheets are near where the pairs were, and in the last attempt everywhere, and faces around a
+  // common vertex are looked at, too. Where `remesh()` does
+  // nothing because it is interrupted, it is the last attempt.
+  template <typename ConcurrencyTag, typename Remesh, typename TakeBack>
+  void keep_pairs(const Remesh& remesh, const TakeBack& take_back, const Interruption& interruption)
+  {
+    const std::size_t last_number = m_number_of_pairs;
+    const int last_attempt = has_more_pairs() ? 1 : largest_number_of_attempts;
+    for (int attempt = 1;; ++attempt)
+    {
+      remesh();
+      count_pairs<ConcurrencyTag>();
+      if (m_number_of_pairs <= last_number || attempt == last_attempt)
+        break;
+      m_is_everywhere = attempt + 1 == last_attempt || interruption.is_requested();
+      take_back();
+      m_number_of_pairs = last_number;
+      update_all<ConcurrencyTag>();
+    }
+    const bool is_everywhere = m_number_of_restarts == largest_number_of_restarts;
+    if (std::exchange(m_is_everywhere, is_everywhere) != is_everywhere)
+      update_all<ConcurrencyTag>();
+  }
+
+  // whether it is worth to begin again from the input, as more pairs intersect than before
+  bool is_to_restart() const { return has_more_pairs() && m_number_of_restarts < largest_number_of_restarts; }
+
+  // To be called then. After the last restart all faces are looked at throughout.
+  void restart()
+  {
+    m_is_everywhere = ++m_number_of_restarts == largest_number_of_restarts;
+    m_number_of_pairs = m_number_of_pairs_before;
   }
 
   std::size_t number_of_pairs_before() const { return m_number_of_pairs_before; }
   std::size_t number_of_pairs() const { return m_number_of_pairs; }
 
+  // whether another sheet is near anywhere
+  bool has_near_sheets() const { return m_is_active && (m_is_everywhere || !m_sheets.empty()); }
+
   // whether another sheet is near one of the faces at the ends of the edge
   bool is_near_sheet(const Edge_index e) const
   {
-    if (!m_is_active || m_sheets.empty())
+    if (!has_near_sheets())
       return false;
     for (const Halfedge_index h : {m_mesh.halfedge(e), m_mesh.opposite(m_mesh.halfedge(e))})
       for (const Halfedge_index in : m_mesh.halfedges_around_target(h))
@@ -115,20 +153,18 @@ public:
 
   // stores all faces anew
   template <typename ConcurrencyTag>
-  void update_all(Interruption& interruption)
+  void update_all()
   {
     if (!m_is_active)
       return;
     m_is_near.assign(face_capacity(m_mesh), 0);
-    if (!m_sheets.empty())
-      parallel_for<ConcurrencyTag>(
-          m_is_near.size(),
-          [&](const std::size_t i)
-          {
-            const Face_index f(static_cast<Face_index::size_type>(i));
-            m_is_near[i] = !m_mesh.is_removed(f) && m_sheets.contains(triangle(f, in_mesh()));
-          },
-          256, interruption);
+    if (has_near_sheets())
+      parallel_for<ConcurrencyTag>(m_is_near.size(),
+                                   [&](const std::size_t i)
+                                   {
+                                     const Face_index f(static_cast<Face_index::size_type>(i));
+                                     m_is_near[i] = !m_mesh.is_removed(f) && is_near_sheet(triangle(f, in_mesh()));
+                                   });
     store(in_mesh());
   }
 
@@ -157,12 +193,12 @@ public:
   // to be called after the mesh has changed at face f
   void update(const Face_index f)
   {
-    if (!m_is_active || m_sheets.empty())
+    if (!has_near_sheets())
       return;
     m_is_near.resize((std::max)(m_is_near.size(), std::size_t(f) + 1), 0);
     const bool was_near = m_is_near[f];
     const Indexed_triangle t = m_mesh.is_removed(f) ? Indexed_triangle() : triangle(f, in_mesh());
-    m_is_near[f] = !m_mesh.is_removed(f) && m_sheets.contains(t);
+    m_is_near[f] = !m_mesh.is_removed(f) && is_near_sheet(t);
     if (m_is_near[f])
       m_guard.replace(number(f), t);
     else if (was_near)
@@ -174,7 +210,7 @@ public:
   template <typename ConcurrencyTag>
   void revert(Simultaneous_moves<Mesh>& moves, Interruption& interruption, const Fold_test fold_test)
   {
-    if (!m_is_active || m_sheets.empty())
+    if (!has_near_sheets())
       return;
     const auto state_of = [&](const Vertex_index v) -> const Vertex& { return moves.state(v); };
     const std::vector<Face_index> near = store(state_of);
@@ -191,6 +227,14 @@ public:
   }
 
 private:
+  // makes the places of the pairs some where sheets are near
+  void add_sheets(const std::vector<std::pair<std::size_t, std::size_t>>& pairs, const std::vector<Indexed_triangle>& triangles)
+  {
+    for (const auto& pair : pairs)
+      for (const std::size_t i : {pair.first, pair.second})
+        m_sheets.add(triangles[i]);
+  }
+
   // the numbers of the obstacles come before those of the faces
   std::size_t number(const std::size_t f) const { return m_obstacles.triangles.size() + f; }
   bool is_obstacle(const std::size_t number) const { return number < m_obstacles.triangles.size(); }
@@ -199,6 +243,7 @@ private:
     return Face_index(static_cast<Face_index::size_type>(number - m_obstacles.triangles.size()));
   }
 
+  bool is_near_sheet(const Indexed_triangle& t) const { return m_is_everywhere || m_sheets.contains(t); }
   bool is_near_sheet(const Face_index f) const { return std::size_t(f) < m_is_near.size() && m_is_near[f]; }
 
   std::size_t vertex_number(const Vertex_index v, const Vertex& state) const
@@ -245,8 +290,8 @@ private:
   {
     std::vector<Face_index> near;
     std::vector<Intersection_guard::Numbered_triangle> triangles;
-    for (std::size_t i = 0; i < m_obstacles.triangles.size() && !m_sheets.empty(); ++i)
-      if (m_sheets.contains(m_obstacles.triangles[i]))
+    for (std::size_t i = 0; i < m_obstacles.triangles.size() && has_near_sheets(); ++i)
+      if (is_near_sheet(m_obstacles.triangles[i]))
         triangles.emplace_back(i, m_obstacles.triangles[i]);
     for (std::size_t i = 0; i < m_is_near.size(); ++i)
     {
@@ -256,6 +301,7 @@ private:
       near.push_back(f);
       triangles.emplace_back(number(i), triangle(f, state_of));
     }
+    m_guard.look_at_neighbors(m_is_everywhere);
     m_guard.assign(triangles);
     return near;
   }
@@ -335,10 +381,11 @@ private:
   const Obstacles m_obstacles;
   const bool m_is_active;
   Near_sheets m_sheets;
+  bool m_is_everywhere = false;
   std::vector<char> m_is_near; // by face; the guard has these faces
   Intersection_guard m_guard;
   std::size_t m_number_of_pairs_before = 0, m_number_of_pairs = 0;
-  int m_number_of_attempts = 0;
+  int m_number_of_restarts = 0;
 };
 
 } // namespace internal

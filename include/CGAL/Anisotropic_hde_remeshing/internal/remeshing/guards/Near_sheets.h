@@ -35,16 +35,15 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// Where sheets of a surface are so near to each other that the faces of a mesh of it may intersect: nearer than twice the distances
-// between the surface and the mesh on both sides. Such places are cells of a grid. A triangle asks in a grid with cells of its own
-// size.
+// Where sheets of a surface are so near to each other that the faces of a mesh of it are likely to intersect: nearer than the surface
+// rises above the edges. Such places are cells of a grid. A triangle asks in a grid with cells of its own size.
 class Near_sheets
 {
   static constexpr double largest_cosine = -0.2; // of the normals of sheets that look away from each other
   static constexpr double cosine_of_same = 0.7;  // of those of sheets one above the other
   static constexpr double share_above = 0.6;     // of the way to a point: its height above a sheet
   // Distances of a mesh: over the heights expected at the place, over the root mean square of all heights, and over the length.
-  static constexpr double share_of_height = 2, share_of_mean = 1.5, share_of_length = 0.05;
+  static constexpr double share_of_height = 1, share_of_mean = 0.75, share_of_length = 0.025;
   static constexpr double largest_rounding = 1e-6;           // over the length: as near is the sheet of the point itself
   static constexpr double largest_number_of_cells = 1 << 12; // along the diagonal: a needle has no more points
 
@@ -66,7 +65,7 @@ public:
         [&](const std::size_t i)
         {
           const Sample& s = samples[i];
-          const double distance = 2 * (std::max)({share_of_height * s.height, share_of_mean * mean, share_of_length * m_size});
+          const double distance = (std::max)({share_of_height * s.height, share_of_mean * mean, share_of_length * m_size});
           Vector other;
           if (find_sheet(s, distance, triangles, groups, other))
             places[i] = {s.point, other};
@@ -100,11 +99,21 @@ public:
     return false;
   }
 
-  // makes the places of the triangle some of them
+  // makes the places of the triangle and those around some of them
   void add(const Indexed_triangle& t)
   {
-    if (!m_near.empty())
-      for_each_point(t, [&](const Vector& p) { add_cell(cell(p)); });
+    if (m_near.empty())
+      return;
+    for_each_point(t,
+                   [&](const Vector& p)
+                   {
+                     const Cell middle = cell(p);
+                     Cell c;
+                     for (c[0] = middle[0] - 1; c[0] <= middle[0] + 1; ++c[0])
+                       for (c[1] = middle[1] - 1; c[1] <= middle[1] + 1; ++c[1])
+                         for (c[2] = middle[2] - 1; c[2] <= middle[2] + 1; ++c[2])
+                           add_cell(c);
+                   });
   }
 
 private:

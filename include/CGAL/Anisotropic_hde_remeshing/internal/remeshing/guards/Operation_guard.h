@@ -55,10 +55,30 @@ public:
   // whether `update(change)` looks at the change
   bool needs_changes() const { return m_intersections.is_active() || m_landmarks; }
 
+  // what the tests of intersections know
+  Mesh_intersections<Mesh>& intersections() const { return m_intersections; }
+
   // From now on the vertices of the mesh are landmarks. Their distances are bounded by the heights. `diagonal` is that of the mesh.
   void keep_landmarks(const Expected_heights& heights, const double diagonal)
   {
     m_landmarks = std::make_unique<Landmark_guard<Mesh>>(m_mesh, heights, diagonal);
+  }
+
+  // what the guard knows of the mesh as it is, to return to this mesh
+  struct State
+  {
+    double largest_distance;
+    std::shared_ptr<const Landmark_guard<Mesh>> landmarks;
+  };
+  State state() const
+  {
+    return State{m_deviation.largest_distance(),
+                 m_landmarks ? std::make_shared<const Landmark_guard<Mesh>>(*m_landmarks) : nullptr};
+  }
+  void return_to(const State& state)
+  {
+    m_deviation.set_largest_distance(state.largest_distance);
+    m_landmarks = state.landmarks ? std::make_unique<Landmark_guard<Mesh>>(*state.landmarks) : nullptr;
   }
 
   // scales the heights
@@ -109,9 +129,9 @@ public:
 
   // is called after faces have got other numbers
   template <typename ConcurrencyTag>
-  void update_all(Interruption& interruption) const
+  void update_all() const
   {
-    m_intersections.template update_all<ConcurrencyTag>(interruption);
+    m_intersections.template update_all<ConcurrencyTag>();
   }
 
   // is called before it; `new_faces` has the new numbers by the old ones

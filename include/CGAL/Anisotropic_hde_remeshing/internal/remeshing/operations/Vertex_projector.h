@@ -82,6 +82,9 @@ public:
   // how many vertices exact projections have left off the surface
   std::size_t number_of_unprojected_vertices() const { return m_unprojected.size(); }
 
+  // after the mesh is as it was before
+  void forget_unprojected() { m_unprojected.clear(); }
+
   // moves vertices off the surface again, by least squares
   void fit(Interruption& interruption)
   {

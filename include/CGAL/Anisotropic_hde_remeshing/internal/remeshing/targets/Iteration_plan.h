@@ -51,6 +51,10 @@ public:
   bool is_first() const { return m_iteration == 0; }
   bool is_done() const { return m_iteration >= m_number_of_iterations; }
 
+  // How many iterations are to be done when the faces are looked at next, to see whether they intersect. Most that can go wrong does so
+  // in the first iterations.
+  unsigned int iterations_at_next_check() const { return (std::min)((std::max)(2 * m_iteration, 1u), m_number_of_iterations); }
+
   // whether the iteration is one of the last ones, which settle at the number of faces asked for
   bool is_settling() const { return m_iteration + number_of_settling_iterations() >= m_number_of_iterations; }
 
@@ -84,7 +88,7 @@ public:
 private:
   unsigned int number_of_settling_iterations() const { return (m_number_of_iterations + settling_share - 1) / settling_share; }
 
-  const unsigned int m_number_of_iterations;
+  unsigned int m_number_of_iterations;
   unsigned int m_iteration = 0;
   double m_length_factor = first_length_factor;
 };
