@@ -15,6 +15,7 @@
 #include "Stopwatch.h"
 #include "Whole_file.h"
 #include "describe.h"
+#include "help.h"
 #include "measure.h"
 #include "mesh_file.h"
 #include "mesh_of_points.h"
@@ -258,6 +259,11 @@ int main(int argc, char** argv)
   CGAL::set_error_handler(be_silent); // what CGAL throws is reported below, in one line
   CGAL::set_warning_handler(be_silent);
   install_signal_handlers();
+  if (argc == 1)
+  {
+    std::cerr << usage();
+    return STATUS_USAGE;
+  }
   try
   {
     const std::optional<Options> options = read_command_line(argc, argv);

@@ -44,7 +44,7 @@ struct Options
   bool arrays = false;
   bool repair = false;
   std::optional<double> merge; // a length
-  bool self_intersections = false, no_distance = false, quiet = false;
+  bool self_intersections = false, no_distance = false, details = false, quiet = false;
 };
 
 // whether the options ask for anything of the implicit function
