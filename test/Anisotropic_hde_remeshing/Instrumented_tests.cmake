@@ -151,6 +151,6 @@ endfunction()
 
 add_fuzzer(fuzz_operations 400 fuzzing/fuzz_operations.cpp)
 set(program "${PROJECT_SOURCE_DIR}/examples/Anisotropic_hde_remeshing/hde_remesh")
-add_fuzzer(fuzz_files 4000 fuzzing/fuzz_files.cpp ${program}/mesh_file.cpp ${program}/Mesh.cpp ${program}/Format.cpp ${program}/vtp_file.cpp
-  ${program}/repair.cpp ${program}/cracks.cpp ${program}/walls.cpp ${program}/solids.cpp
+add_fuzzer(fuzz_files 4000 fuzzing/fuzz_files.cpp ${program}/mesh_file.cpp ${program}/foreign_file.cpp ${program}/Mesh.cpp
+  ${program}/Format.cpp ${program}/vtp_file.cpp ${program}/repair.cpp ${program}/cracks.cpp ${program}/walls.cpp ${program}/solids.cpp
   ${program}/flat_faces.cpp ${readers})

@@ -10,6 +10,7 @@
 #define HDE_REMESH_BYTE_READER_H
 
 #include "Text_reader.h"
+#include "reading_position.h"
 
 #include <boost/endian/conversion.hpp>
 
@@ -40,10 +41,12 @@ public:
                                                   std::conditional_t<sizeof(Number) == 4, std::uint32_t, std::uint64_t>>>
         Bits;
     if (m_bytes.size() - m_position < sizeof(Number))
-      fail(std::string(expected()) + ", but the file ends");
+      throw Unreadable("byte " + std::to_string(m_position) + ": expected " + std::string(expected()) + ", but the file ends",
+                       Unreadable::END);
     Bits bits;
     std::memcpy(&bits, m_bytes.data() + m_position, sizeof(Number));
     m_position += sizeof(Number);
+    reading_position().tell(m_position);
     bits = m_is_big_endian ? boost::endian::big_to_native(bits) : boost::endian::little_to_native(bits);
     Number value;
     std::memcpy(&value, &bits, sizeof(Number));

@@ -7,6 +7,7 @@
 // Author(s)     : The Anisotropic_hde_remeshing developers
 
 #include "Text_reader.h"
+#include "reading_position.h"
 
 #include <algorithm>
 #include <charconv>
@@ -45,6 +46,8 @@ std::string_view Text_reader::take_line()
   if (m_position < m_text.size())
     m_position += m_text.compare(end, 2, "\r\n") == 0 ? 2 : 1;
   ++m_line_number;
+  if (m_is_position_told)
+    reading_position().tell(m_position);
   return m_text.substr(begin, end - begin);
 }
 
@@ -77,6 +80,7 @@ bool Text_reader::is_done() { return is_line_done() && !next_line(); }
 std::size_t Text_reader::number_of_lines_left() const
 {
   Text_reader rest(m_text, m_kind, m_position);
+  rest.m_is_position_told = false;
   std::size_t number = 0;
   while (rest.next_line())
     ++number;
@@ -86,7 +90,10 @@ std::size_t Text_reader::number_of_lines_left() const
 void Text_reader::fail(const std::string& expected, const std::string_view found) const
 {
   throw Unreadable("line " + std::to_string(m_line_number) + ": expected " + expected +
-                   (found.empty() ? ", but the file ends" : ", found " + excerpt(found)));
+                       (found.empty() ? ", but the file ends" : ", found " + excerpt(found)),
+                   found.empty()        ? Unreadable::END
+                   : m_line_number == 1 ? Unreadable::BEGINNING
+                                        : Unreadable::ELSEWHERE);
 }
 
 void Text_reader::fail_not_finite(const std::string_view word, const std::string& expected) const

@@ -18,9 +18,22 @@
 namespace hde_remesh {
 
 // why a file cannot be read: where, what was expected there, and what is there
-struct Unreadable : std::runtime_error
+class Unreadable : public std::runtime_error
 {
-  using std::runtime_error::runtime_error;
+public:
+  enum Place
+  {
+    BEGINNING, // where other kinds of files differ
+    ELSEWHERE,
+    END // more is expected than there is
+  };
+
+  explicit Unreadable(const std::string& reason, const Place place = ELSEWHERE) : std::runtime_error(reason), m_place(place) {}
+
+  Place place() const { return m_place; }
+
+private:
+  Place m_place;
 };
 
 // "12 of 20", counted from one
@@ -109,6 +122,7 @@ private:
   std::size_t m_position, m_line_number;
   std::vector<std::string_view> m_words;
   std::size_t m_next_word = 0;
+  bool m_is_position_told = true;
   int m_most_digits = 0;
 };
 

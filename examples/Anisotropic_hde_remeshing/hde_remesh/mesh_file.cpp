@@ -12,7 +12,9 @@
 #include "Mesh.h"
 #include "Text_reader.h"
 #include "Whole_file.h"
+#include "foreign_file.h"
 #include "readers.h"
+#include "reading_position.h"
 #include "vtp_file.h"
 
 #include <CGAL/IO/OBJ.h>
@@ -132,13 +134,18 @@ Soup read_soup(const std::string& file_name)
   const Format format = format_of(file_name);
   if (!is_read(format))
     throw Failure("cannot read " + in_quotes(file_name) + ": files of this format are only written");
+  const std::string text = text_of_file(file_name);
+  reading_position().begin(text.size());
   try
   {
-    return parse(text_of_file(file_name), format);
+    Soup soup = parse(text, format);
+    if (format == Format::OBJ && soup.points.empty())
+      throw Unreadable("it has no line of a vertex", Unreadable::BEGINNING);
+    return soup;
   }
   catch (const Unreadable& error)
   {
-    throw Failure("cannot read " + in_quotes(file_name) + ": " + error.what());
+    throw Failure("cannot read " + in_quotes(file_name) + ": " + reason_of(error, text, format));
   }
 }
 

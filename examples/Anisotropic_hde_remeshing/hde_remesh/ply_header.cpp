@@ -50,7 +50,7 @@ public:
       else if (words.front() != "comment" && words.front() != "obj_info")
         fail(excerpt(words.front()) + " begins no line of a header");
     }
-    fail("the header does not end");
+    throw Unreadable("line " + std::to_string(m_reader.line_number()) + ": the header does not end", Unreadable::END);
   }
 
 private:

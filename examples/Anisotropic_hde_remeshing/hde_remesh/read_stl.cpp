@@ -70,16 +70,27 @@ bool is_binary(const std::string& text)
   return word != "solid" || text.find('\0') != std::string::npos;
 }
 
+// whether a file with room for so many facets may have been one with the number of its header
+bool is_plausible(const std::size_t number, const std::size_t room)
+{
+  static constexpr std::size_t most_that_are_lost = 1000; // for each that is there
+  return number > room && number / most_that_are_lost <= room;
+}
+
 Soup read_binary_stl(const std::string& text)
 {
   const std::size_t size = text.size();
+  if (text.find('\0') == std::string::npos && text.find('\n') != std::string::npos)
+    throw Unreadable("it begins without 'solid', and has none of the zeros of a binary one", Unreadable::BEGINNING);
   if (size < data_begin)
-    throw Unreadable("byte " + std::to_string(size) + ": expected 'solid', or a header of 80 bytes and the number of facets, " +
-                     "but the file ends");
+    throw Unreadable("byte " + std::to_string(size) +
+                         ": expected 'solid', or a header of 80 bytes and the number of facets, but the file ends",
+                     Unreadable::END);
   const std::size_t number = announced_number(text), room = (size - data_begin) / facet_size;
   if (number != room)
     throw Unreadable("byte 80: expected the number of facets that follow, " + std::to_string(room) + ", found " +
-                     std::to_string(number));
+                         std::to_string(number),
+                     is_plausible(number, room) ? Unreadable::END : Unreadable::BEGINNING);
   Soup soup;
   Facets facets(soup);
   Byte_reader bytes(text, false, data_begin);

@@ -56,9 +56,11 @@ private:
   {
     const std::size_t number = m_reader.words().size();
     if (number < 3 || number != m_columns.size())
-      throw Unreadable("line " + std::to_string(m_reader.line_number()) + ": expected " +
-                       (m_columns.size() < 3 ? "three coordinates" : std::to_string(m_columns.size()) + " numbers, as before") +
-                       ", found " + std::to_string(number));
+      throw Unreadable(
+          "line " + std::to_string(m_reader.line_number()) + ": expected " +
+              (m_columns.size() < 3 ? "three coordinates" : std::to_string(m_columns.size()) + " numbers, as before") +
+              ", found " + std::to_string(number),
+          m_reader.line_number() == 1 ? Unreadable::BEGINNING : Unreadable::ELSEWHERE);
     const auto expected = [this] { return "a coordinate of point " + std::to_string(m_soup.points.size() + 1); };
     double c[3];
     for (double& x : c)
