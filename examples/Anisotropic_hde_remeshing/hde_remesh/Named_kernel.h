@@ -18,7 +18,7 @@ struct Named_kernel
 {
   const char* name;
   bool has_shape;
-  Built_function (*build)(const Mesh& mesh, const Options& options);
+  Built_function (*build)(const Mesh& mesh, const Options& options, Progress& progress);
 };
 
 // A kernel is a type, and the function of each is compiled by itself: in two files, so that none takes long.

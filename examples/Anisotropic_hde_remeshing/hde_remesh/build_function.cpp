@@ -45,9 +45,9 @@ std::vector<std::string> names_of_kernels()
 
 bool has_shape(const std::string& kernel) { return kernel_of(kernel).has_shape; }
 
-Built_function build_function(const Mesh& mesh, const Options& options)
+Built_function build_function(const Mesh& mesh, const Options& options, Progress& progress)
 {
-  return kernel_of(options.kernel).build(mesh, options);
+  return kernel_of(options.kernel).build(mesh, options, progress);
 }
 
 } // namespace hde_remesh

@@ -12,6 +12,7 @@
 #include "Function_view.h"
 #include "Mesh.h"
 #include "options.h"
+#include "progress.h"
 
 #include <CGAL/Anisotropic_hde_remeshing/Piecewise_rbf_diagnostics.h>
 #include <CGAL/Anisotropic_hde_remeshing/Rbf_diagnostics.h>
@@ -30,7 +31,7 @@ struct Built_function
 };
 
 // Builds the function of the mesh with the kernel that the options name.
-Built_function build_function(const Mesh& mesh, const Options& options);
+Built_function build_function(const Mesh& mesh, const Options& options, Progress& progress);
 
 } // namespace hde_remesh
 

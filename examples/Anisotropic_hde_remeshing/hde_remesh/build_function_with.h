@@ -60,7 +60,7 @@ Built_function build_with_parameters(const Mesh& mesh, const Options& o, const N
 }
 
 template <typename RadialFunction>
-Built_function build_with(const Mesh& mesh, const Options& o)
+Built_function build_with(const Mesh& mesh, const Options& o, Progress& progress)
 {
   // what the library has where nothing is given
   const CGAL::Anisotropic_hde_remeshing::internal::Interpolation_parameters defaults;
@@ -71,7 +71,8 @@ Built_function build_with(const Mesh& mesh, const Options& o)
                                                        : CGAL::Anisotropic_hde_remeshing::Smoothing(o.smoothing.value_or(0)))
                       .points_on_facets(!o.vertices_only)
                       .detect_edges(!o.smooth_edges)
-                      .close_holes(false); // remeshing does not leave the input
+                      .close_holes(false) // remeshing does not leave the input
+                      .visitor(Progress_visitor(progress));
   // how many points there will be, and with them patches, is not known here
   const auto with_patches = [&](const auto& others)
   {

@@ -24,18 +24,35 @@ namespace {
 
 constexpr double sharp_edge_degrees = 60; // of which scans have few
 
-void measure_all(const Mesh& input, const Remeshed& remeshed, const Options& options, Report& report)
+// what the steps take of the time: those of both meshes, the distance between them and that of the sharp edges
+std::vector<double> costs_of_all(const Mesh& input, const Remeshed& remeshed, const Options& options)
 {
+  static constexpr double cost_of_distance = 7; // of a face
+  std::vector<double> costs = costs_of_measures(input, remeshed.function, options.self_intersections);
+  const std::vector<double> of_after = costs_of_measures(remeshed.mesh, remeshed.function, options.self_intersections);
+  costs.insert(costs.end(), of_after.begin(), of_after.end());
+  if (!options.no_distance)
+    costs.push_back(cost_of_distance * static_cast<double>(input.number_of_faces() + remeshed.mesh.number_of_faces()));
+  return costs;
+}
+
+void measure_all(const Mesh& input, const Remeshed& remeshed, const Options& options, Report& report, Progress& progress)
+{
+  Steps steps(progress, "measuring", costs_of_all(input, remeshed, options));
+  const auto step_is_done = [&steps] { steps.next(); };
   const double sigma = remeshed.result.sigma, length = remeshed.result.target_edge_length;
-  report.before = measure(input, remeshed.function, sigma, length, options.self_intersections);
-  report.after = measure(remeshed.mesh, remeshed.function, sigma, length, options.self_intersections);
+  report.before = measure(input, remeshed.function, sigma, length, options.self_intersections, step_is_done);
+  report.after = measure(remeshed.mesh, remeshed.function, sigma, length, options.self_intersections, step_is_done);
   if (!options.self_intersections && options.avoid_self_intersections)
   {
     report.before.self_intersections = remeshed.result.number_of_self_intersections_before;
     report.after.self_intersections = remeshed.result.number_of_self_intersections;
   }
   if (!options.no_distance)
+  {
     report.distance = measure_distance(remeshed.mesh, input);
+    steps.next();
+  }
 }
 
 void describe_run(const Options& options, const Checked_mesh& input, const Sizes& sizes, const Remeshed& remeshed,
@@ -134,10 +151,11 @@ void add_warnings(Report& report)
 
 } // namespace
 
-void describe(const Options& options, const Checked_mesh& input, const Sizes& sizes, const Remeshed& remeshed, Report& report)
+void describe(const Options& options, const Checked_mesh& input, const Sizes& sizes, const Remeshed& remeshed, Report& report,
+              Progress& progress)
 {
   describe_run(options, input, sizes, remeshed, report);
-  measure_all(input.mesh, remeshed, options, report);
+  measure_all(input.mesh, remeshed, options, report, progress);
   add_warnings(report);
   warn_of_creases(input.mesh, remeshed, options, report);
   warn_of_options(options, remeshed, report);

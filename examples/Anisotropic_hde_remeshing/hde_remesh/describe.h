@@ -17,7 +17,8 @@
 namespace hde_remesh {
 
 // Measures both meshes and writes all into the report, but for what reading the input has written there, and the times.
-void describe(const Options& options, const Checked_mesh& input, const Sizes& sizes, const Remeshed& remeshed, Report& report);
+void describe(const Options& options, const Checked_mesh& input, const Sizes& sizes, const Remeshed& remeshed, Report& report,
+              Progress& progress);
 
 } // namespace hde_remesh
 

@@ -138,7 +138,7 @@ Sizes sizes_of(const Options& options, const Mesh& mesh)
 void check_not_cancelled()
 {
   if (is_cancelled())
-    throw Failure("cancelled; nothing was written", STATUS_CANCELLED);
+    throw Failure(cancelled_text(), STATUS_CANCELLED);
 }
 
 void write_beside(const std::string& file_name, const std::string& text)
@@ -154,8 +154,10 @@ void write_beside(const std::string& file_name, const std::string& text)
 }
 
 // with colours and other numbers of points, where OUT has a place for them
-void write_mesh(const Checked_mesh& input, const Remeshed& remeshed, const Options& options, Report& report)
+void write_mesh(const Checked_mesh& input, const Remeshed& remeshed, const Options& options, Report& report, Progress& progress)
 {
+  static constexpr double cost_of_arrays = 10, cost_of_file = 1; // measured on the bunny
+  Steps steps(progress, "writing", {options.arrays ? cost_of_arrays : 0, cost_of_file});
   Soup soup = soup_of_mesh(remeshed.mesh);
   if (options.arrays)
     add_arrays(figures_of_elements(remeshed.mesh, remeshed.function, remeshed.result.sigma, input.mesh), soup);
@@ -163,16 +165,24 @@ void write_mesh(const Checked_mesh& input, const Remeshed& remeshed, const Optio
     carry_to(soup, input.points, report);
   else if (!input.points.vertex_arrays.empty())
     report.warnings.push_back("OUT has no place for colours and other numbers of the points: PLY and VTP files have");
+  steps.next();
   write_soup(soup, options.output);
+  steps.next();
   is_output_written() = 1;
 }
 
-void write_page(const Report& report, const Mesh& input, const Remeshed& remeshed, const Options& options)
+void write_page(const Report& report, const Mesh& input, const Remeshed& remeshed, const Options& options, Progress& progress)
 {
+  const double faces_before = static_cast<double>(input.number_of_faces()),
+               faces_after = static_cast<double>(remeshed.mesh.number_of_faces());
+  Steps steps(progress, "writing the page", {faces_before, faces_after, 0.5 * (faces_before + faces_after)});
   const double sigma = remeshed.result.sigma;
-  const Measured_elements before{input, figures_of_elements(input, remeshed.function, sigma, remeshed.mesh)},
-      after{remeshed.mesh, figures_of_elements(remeshed.mesh, remeshed.function, sigma, input)};
+  const Measured_elements before{input, figures_of_elements(input, remeshed.function, sigma, remeshed.mesh)};
+  steps.next();
+  const Measured_elements after{remeshed.mesh, figures_of_elements(remeshed.mesh, remeshed.function, sigma, input)};
+  steps.next();
   write_beside(options.report, report_page(report, options.command_line, before, after));
+  steps.next();
 }
 
 void print(const Report& report, const Options& options)
@@ -211,17 +221,15 @@ void run(const Options& all_options)
   end_stage("remeshing", remeshed.result.remeshing_seconds);
 
   Stopwatch stopwatch;
-  progress.stage("writing");
-  write_mesh(input, remeshed, options, report);
+  write_mesh(input, remeshed, options, report, progress);
   end_stage("output", remeshed.result.output_seconds + stopwatch.lap());
 
   if (options.quiet && options.json.empty() && options.report.empty())
     return; // no one would hear of it
-  progress.stage("measuring");
-  describe(options, input, sizes, remeshed, report);
+  describe(options, input, sizes, remeshed, report, progress);
   end_stage("measuring", stopwatch.lap());
   if (!options.report.empty())
-    write_page(report, input.mesh, remeshed, options);
+    write_page(report, input.mesh, remeshed, options, progress);
   progress.clear();
   for (const std::string& warning : report.warnings)
     warn(options, warning);

@@ -50,30 +50,51 @@ double diagonal(const Mesh& mesh)
 namespace {
 
 Function_figures measure_by_function(const Mesh& mesh, const Function_view& function, const double sigma,
-                                     const double target_edge_length)
+                                     const double target_edge_length, const std::function<void()>& step_is_done)
 {
   const auto np = params::sigma(sigma).face_patch_map(creases_of(mesh).region);
   Function_figures figures;
   figures.embedding = Hde::measure_embedding<Tag>(mesh, function, np);
+  step_is_done();
   figures.embedding_to_target = Hde::measure_embedding<Tag>(mesh, function, np.target_edge_length(target_edge_length));
+  step_is_done();
   figures.alignment = Hde::measure_alignment<Tag>(mesh, function, np);
+  step_is_done();
   figures.zero_set = Hde::measure_distance_to_zero_set<Tag>(mesh, function, np);
+  step_is_done();
   figures.bounds = Hde::approximation_bounds<Tag>(mesh, function, np);
+  step_is_done();
   return figures;
 }
 
 } // namespace
 
+std::vector<double> costs_of_measures(const Mesh& mesh, const Function_view& function, const bool with_self_intersections)
+{
+  std::vector<double> costs = {1}; // of a face, measured on the bunny
+  if (function.has_values())
+    costs.insert(costs.end(), {1, 1, 3, 7, 4});
+  if (with_self_intersections)
+    costs.push_back(3);
+  for (double& cost : costs)
+    cost *= static_cast<double>(mesh.number_of_faces());
+  return costs;
+}
+
 Figures measure(const Mesh& mesh, const Function_view& function, const double sigma, const double target_edge_length,
-                const bool with_self_intersections)
+                const bool with_self_intersections, const std::function<void()>& step_is_done)
 {
   Figures figures;
   figures.topology = Hde::measure_topology(mesh);
   figures.shape = Hde::measure_shape(mesh);
+  step_is_done();
   if (function.has_values())
-    figures.of_function = measure_by_function(mesh, function, sigma, target_edge_length);
+    figures.of_function = measure_by_function(mesh, function, sigma, target_edge_length, step_is_done);
   if (with_self_intersections)
+  {
     figures.self_intersections = number_of_self_intersections(mesh);
+    step_is_done();
+  }
   return figures;
 }
 

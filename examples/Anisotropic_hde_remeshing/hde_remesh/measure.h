@@ -13,6 +13,9 @@
 #include "Function_view.h"
 #include "Mesh.h"
 
+#include <functional>
+#include <vector>
+
 namespace hde_remesh {
 
 Hde::Topology_measures measure_topology(const Mesh& mesh);
@@ -20,8 +23,11 @@ Hde::Topology_measures measure_topology(const Mesh& mesh);
 // of the bounding box
 double diagonal(const Mesh& mesh);
 
+// What the steps of `measure()` take of the time, in microseconds or so.
+std::vector<double> costs_of_measures(const Mesh& mesh, const Function_view& function, bool with_self_intersections);
+
 Figures measure(const Mesh& mesh, const Function_view& function, double sigma, double target_edge_length,
-                bool with_self_intersections);
+                bool with_self_intersections, const std::function<void()>& step_is_done);
 
 // of the ends and the middles of the edges of `mesh` that turn by so much, the largest one to `other`
 double distance_of_sharp_edges(const Mesh& mesh, const Mesh& other, double degrees);

@@ -13,57 +13,80 @@
 
 #include <CGAL/Anisotropic_hde_remeshing/Remeshing_visitor.h>
 
-#include <chrono>
-#include <iostream>
+#include <cstddef>
+#include <functional>
+#include <memory>
 #include <string>
-
-#include <unistd.h>
+#include <utility>
+#include <vector>
 
 namespace hde_remesh {
 
-// One line on a terminal that says what is being done and how far it is. Nothing if the standard error is no terminal.
+// One line on a terminal: what is being done, how far it is, and how long it takes yet. Nothing is shown if the standard error is no
+// terminal, or if a stage is over within half a second.
 class Progress
 {
-  typedef std::chrono::steady_clock Clock;
-
 public:
-  explicit Progress(const bool is_wanted) : m_is_shown(is_wanted && isatty(STDERR_FILENO) != 0) {}
-  ~Progress() { clear(); }
+  explicit Progress(bool is_wanted);
+  ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  void stage(const std::string& name)
-  {
-    m_stage = name;
-    show(name + " ...");
-  }
+  // a stage begins, of which nothing is done
+  void stage(const std::string& name);
 
-  void share(const double done)
-  {
-    const Clock::time_point now = Clock::now();
-    if (!m_is_shown || now - m_last < std::chrono::milliseconds(100))
-      return;
-    m_last = now;
-    const int width = 40, filled = static_cast<int>(done * width);
-    show("[" + std::string(filled, '#') + std::string(width - filled, '.') + "] " +
-         std::to_string(static_cast<int>(done * 100)) + "% " + m_stage);
-  }
+  // a stage begins that others tell the share of, whenever they are asked
+  void stage(const std::string& name, std::function<double()> share);
 
-  void clear() { show(""); }
+  // the stage goes on under another name
+  void rename(const std::string& name);
+
+  // The share of the stage that is done, from 0 to 1, and the share that will be done at the next call. The bar goes on to that at the
+  // pace until now. If it is not known, the next step is taken to be as large as the last one.
+  void share(double done, double next = 0);
+
+  void clear();
 
 private:
-  void show(const std::string& text)
-  {
-    if (m_is_shown)
-      std::cerr << "\r\033[K" << text << std::flush;
-  }
-
-  bool m_is_shown;
-  std::string m_stage;
-  Clock::time_point m_last;
+  class Display;
+  std::unique_ptr<Display> m_display; // none if nothing is to be shown
 };
 
-// shows the progress of the remeshing and ends it at Ctrl-C
+// A stage of a few steps, of which each takes about a known part of the time.
+class Steps
+{
+public:
+  Steps(Progress& progress, const std::string& name, std::vector<double> costs)
+    : m_progress(progress), m_costs(std::move(costs))
+  {
+    for (const double cost : m_costs)
+      m_all += cost;
+    m_progress.stage(name);
+    tell();
+  }
+
+  // the step is done
+  void next()
+  {
+    if (m_number_done < m_costs.size())
+      m_done += m_costs[m_number_done++];
+    tell();
+  }
+
+private:
+  void tell()
+  {
+    const double of_next = m_number_done < m_costs.size() ? m_costs[m_number_done] : 0;
+    m_progress.share(m_done / m_all, (m_done + of_next) / m_all);
+  }
+
+  Progress& m_progress;
+  std::vector<double> m_costs;
+  double m_all = 0, m_done = 0;
+  std::size_t m_number_done = 0;
+};
+
+// shows the progress of the remeshing, or of the making of a function, and ends it at Ctrl-C
 struct Progress_visitor : CGAL::Anisotropic_hde_remeshing::Remeshing_visitor
 {
   explicit Progress_visitor(Progress& bar) : bar(&bar) {}
@@ -71,10 +94,10 @@ struct Progress_visitor : CGAL::Anisotropic_hde_remeshing::Remeshing_visitor
   void stage_started(const CGAL::Anisotropic_hde_remeshing::Stage stage)
   {
     typedef CGAL::Anisotropic_hde_remeshing::Stage Stage;
-    bar->stage(stage == Stage::IMPLICIT_FUNCTION ? "smooth function"
-               : stage == Stage::PROJECTION      ? "projecting"
-               : stage == Stage::REMESHING       ? "remeshing"
-                                                 : "copying");
+    bar->rename(stage == Stage::IMPLICIT_FUNCTION ? "building the function"
+                : stage == Stage::PROJECTION      ? "projecting"
+                : stage == Stage::REMESHING       ? "remeshing"
+                                                  : "copying");
   }
 
   void progress(const double share) { bar->share(share); }

@@ -57,6 +57,7 @@ Reconstructed reconstruct(const std::vector<Point_3>& points, const std::vector<
   const auto smoothing = options.smoothing ? Hde::Smoothing(*options.smoothing) : Hde::AUTOMATIC_SMOOTHING;
   const double facet_size = coarseness(points.size(), options) * median_spacing(points);
   Reconstructed result;
+  progress.stage("surface of the points");
   Progress_visitor visitor(progress);
   is_listening() = 1;
   try
@@ -70,7 +71,7 @@ Reconstructed reconstruct(const std::vector<Point_3>& points, const std::vector<
   }
   catch (const Hde::Interrupted&)
   {
-    throw Failure("cancelled; nothing was written", STATUS_CANCELLED);
+    throw Failure(cancelled_text(), STATUS_CANCELLED);
   }
   is_listening() = 0;
   return result;

@@ -133,10 +133,11 @@ bool has_6d_lengths(const Sizes& sizes, const Options& options)
 
 namespace {
 
-void build_function(const Mesh& mesh, const Options& options, Remeshed& remeshed)
+void build_function(const Mesh& mesh, const Options& options, Progress& progress, Remeshed& remeshed)
 {
+  progress.stage("building the function");
   Stopwatch stopwatch;
-  const Built_function built = build_function(mesh, options);
+  const Built_function built = build_function(mesh, options, progress);
   remeshed.function_seconds = stopwatch.seconds();
   remeshed.function = built.function;
   remeshed.kernel = built.kernel;
@@ -175,6 +176,7 @@ Remeshed remesh_with_function(const Mesh& mesh, const Sizes& sizes, const Option
                               Remeshed&& remeshed)
 {
   remeshed.mesh = mesh;
+  progress.stage("remeshing");
   is_listening() = 1;
   remeshed.result = remesh_with_embedding(remeshed.mesh, remeshed.function, sizes, options, progress);
   is_listening() = 0;
@@ -185,7 +187,7 @@ Remeshed remesh_with_function(const Mesh& mesh, const Sizes& sizes, const Option
 std::optional<Remeshed> remesh_between_facets(Mesh& mesh, const Sizes& sizes, const Options& options, Progress& progress)
 {
   Stopwatch stopwatch;
-  progress.stage("facets");
+  progress.stage("looking for facets");
   const Hde_internal::Facet_regions<Mesh, Mesh::Property_map<Mesh::Vertex_index, Point_3>> facets(mesh, mesh.points());
   const double number_of_faces = sizes.edge_length
                                      ? facets.area() / (0.25 * std::sqrt(3.) * *sizes.edge_length * *sizes.edge_length)
@@ -223,10 +225,7 @@ Remeshed remesh(Mesh& mesh, Sizes& sizes, const Options& options, Progress& prog
   if (sizes.scheme == Remeshing_scheme::MEASURED_ERROR)
     remeshed.function = Function_view::without_values(number_of_regions(mesh));
   else
-  {
-    progress.stage("smooth function");
-    build_function(mesh, options, remeshed);
-  }
+    build_function(mesh, options, progress, remeshed);
   return remesh_with_function(mesh, sizes, options, progress, std::move(remeshed));
 }
 

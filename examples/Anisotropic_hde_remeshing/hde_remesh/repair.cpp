@@ -45,16 +45,21 @@ bool is_turned(const Soup& before, const Soup& after, const std::size_t face)
   return first == g.size() || after.points[g[(first + 1) % g.size()]] != before.points[f[1]];
 }
 
-void clean(Soup& soup, Repair& repair)
+void clean(Soup& soup, Repair& repair, const std::function<void()>& step_is_done)
 {
   repair.merged_points = PMP::merge_duplicate_points_in_polygon_soup(soup.points, soup.faces);
+  step_is_done();
   repair.near_points = close_cracks(soup, repair.tolerance, Orientation::ANY);
+  step_is_done();
   repair.wall_faces = remove_double_walls(soup);
+  step_is_done();
   const std::size_t number_of_points = soup.points.size(), number_of_faces = soup.faces.size();
   PMP::repair_polygon_soup(soup.points, soup.faces);
   repair.removed_points = number_of_points - (std::min)(number_of_points, soup.points.size());
   repair.removed_faces = number_of_faces - (std::min)(number_of_faces, soup.faces.size());
+  step_is_done();
   repair.wall_faces += remove_single_walls(soup);
+  step_is_done();
 }
 
 void orient(Soup& soup, Repair& repair)
@@ -159,15 +164,17 @@ std::string Repair::text() const
   return text.empty() ? "nothing to repair" : text;
 }
 
-Soup repaired(Soup soup, const double tolerance, Repair& repair)
+Soup repaired(Soup soup, const double tolerance, Repair& repair, const std::function<void()>& step_is_done)
 {
   repair.tolerance = tolerance;
-  clean(soup, repair);
+  clean(soup, repair, step_is_done);
   orient(soup, repair);
+  step_is_done();
   Mesh mesh;
   PMP::polygon_soup_to_polygon_mesh(soup.points, soup.faces, mesh);
   repair.stitched_edges = static_cast<std::size_t>(PMP::stitch_borders(mesh));
   repair.doubled_points += PMP::duplicate_non_manifold_vertices(mesh);
+  step_is_done();
   divide(mesh, repair);
   // which side is out is anybody's guess where the input did not say
   if (repair.turned_faces > 0 && CGAL::is_closed(mesh))
@@ -175,6 +182,7 @@ Soup repaired(Soup soup, const double tolerance, Repair& repair)
   mesh.collect_garbage();
   Soup result = soup_of_mesh(mesh);
   result.rounding = soup.rounding;
+  step_is_done();
   return result;
 }
 

@@ -15,6 +15,7 @@
 #include "Soup.h"
 
 #include <cstddef>
+#include <functional>
 #include <string>
 
 namespace hde_remesh {
@@ -38,7 +39,10 @@ struct Repair
 };
 
 // The points are finite, and the faces name no others. Points within the tolerance of each other close cracks.
-Soup repaired(Soup soup, double tolerance, Repair& repair);
+// `step_is_done` is called after each of the `number_of_repair_steps` steps.
+constexpr std::size_t number_of_repair_steps = 8;
+Soup repaired(
+    Soup soup, double tolerance, Repair& repair, const std::function<void()>& step_is_done = [] {});
 
 } // namespace hde_remesh
 

@@ -52,6 +52,24 @@ inline volatile std::sig_atomic_t& is_output_written()
   return flag;
 }
 
+inline volatile std::sig_atomic_t& is_stopping() // whether a handler has the last word
+{
+  static volatile std::sig_atomic_t flag = 0;
+  return flag;
+}
+
+// the words of what ends the program at Ctrl-C, wherever it is
+inline const char* cancelled_text()
+{
+  return is_output_written() ? "cancelled; the mesh is written" : "cancelled; nothing was written";
+}
+
+extern "C" inline void write_of_handler(const char* text)
+{
+  const ssize_t ignored = write(STDERR_FILENO, text, std::strlen(text));
+  static_cast<void>(ignored);
+}
+
 extern "C" inline void handle_signal(const int signal_number)
 {
   if (signal_number == SIGINT && is_listening() && !is_cancelled())
@@ -61,11 +79,16 @@ extern "C" inline void handle_signal(const int signal_number)
   }
   if (temporary_name().exists)
     unlink(temporary_name().name);
-  const char* message = is_output_written() ? "\nhde_remesh: stopped by a signal (the mesh is written)\n"
-                                            : "\nhde_remesh: stopped by a signal; nothing was written\n";
-  const char* text = isatty(STDERR_FILENO) ? message : message + 1; // on a terminal there is a bar to leave
-  const ssize_t ignored = write(STDERR_FILENO, text, std::strlen(text));
-  static_cast<void>(ignored);
+  is_stopping() = 1;
+  if (isatty(STDERR_FILENO))
+    write_of_handler("\r\033[K"); // over the line of the progress
+  write_of_handler("hde_remesh: ");
+  if (signal_number == SIGINT)
+    write_of_handler(cancelled_text());
+  else
+    write_of_handler(is_output_written() ? "stopped by a signal; the mesh is written"
+                                         : "stopped by a signal; nothing was written");
+  write_of_handler("\n");
   std::signal(signal_number, SIG_DFL); // whoever waits for this program learns what ended it
   std::raise(signal_number);
 }
@@ -77,6 +100,7 @@ inline void install_signal_handlers()
   is_listening() = 0;
   is_cancelled() = 0;
   is_output_written() = 0;
+  is_stopping() = 0;
   std::signal(SIGINT, handle_signal);
   std::signal(SIGTERM, handle_signal);
   if (std::signal(SIGHUP, handle_signal) == SIG_IGN) // started by nohup
