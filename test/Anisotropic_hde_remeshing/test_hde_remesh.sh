@@ -42,12 +42,35 @@ refuses() {
 }
 
 # ---------------------------------------------------------------------------------------------------- help and version
+is_narrow() { awk 'length($0) > 100 { exit 1 }' "$1"; }
+has_words() { # FILE WORD...
+  local file=$1 word
+  shift
+  for word in "$@"; do
+    grep -Eq -- "(^|[ (])$word( |,|\$)" "$file" || return 1
+  done
+}
+basic_options="--faces --vertices --length --error --fit --sigma --sharp --repair --trim --report --json --details --quiet -q --help-all --version"
 check "help" run 0 --help
-check "help explains the units" grep -q "diagonal" stdout
+check "in at most 60 lines" [ "$(wc -l <stdout)" -le 60 ]
+check "of at most 100 columns" is_narrow stdout
+check "with the basic options" has_words stdout $basic_options
+check "and nothing for experts" [ "$(grep -Ec -- '--(kernel|patches|collapse-ratio|tau)' stdout)" -eq 0 ]
+check "D is said to be the diagonal before it is used" awk '
+  /^D .*diagonal of the bounding box/ { is_defined = 1 } /[^A-Z]D([^A-Z]|$)/ { if (!is_defined) exit 1 } END { exit !is_defined }' stdout
+check "with three examples or more" [ "$(grep -c '^  hde_remesh ' stdout)" -ge 3 ]
 check "help explains the exit status" grep -q "Exit status" stdout
+check "all of the help" run 0 --help-all
+check "it is as narrow" is_narrow stdout
+check "D is said before, there, too" awk '
+  /^D .*diagonal of the bounding box/ { is_defined = 1 } /[^A-Z]D([^A-Z]|$)/ { if (!is_defined) exit 1 } END { exit !is_defined }' stdout
+check "with all options" has_words stdout $basic_options --kernel --patches --collapse-ratio --tau --keep-largest --allow-self-intersections
+check "no arguments" run 2
+check "the usage in a few lines" [ "$(wc -l <stderr)" -le 5 -a ! -s stdout ]
+check "that say what to do" says "usage: hde_remesh IN OUT"
 check "version" run 0 --version
 check "version in one line" [ "$(wc -l <stdout)" -eq 1 ]
-quick="--iterations 2 --no-distance"
+quick="--iterations 2 --no-distance --details"
 
 # ------------------------------------------------------------------------------------------- formats, in and out of each
 for format in off obj ply stl; do
@@ -102,11 +125,11 @@ check "of an exact sphere is none" grep -Eq '"noise": 0(\.0)?,' w.json
 check "constants" run 0 $sphere c.off $quick --smoothing-ratio 0.5 --collapse-ratio 0.7 --split-ratio 1.4 \
   --relaxation-steps 2
 check "scheme of the paper" run 0 $sphere p.off --scheme paper $quick
-check "metric" run 0 $sphere m.off --metric 2 --faces 1500 --fit --no-distance
+check "metric" run 0 $sphere m.off --metric 2 --faces 1500 --fit --no-distance --details
 check "it is named" grep -q 'metric of the curvature, p = 2' stdout
 check "no 6D lengths in it" [ "$(grep -c '6D' stdout)" -eq 0 ]
 check "metric inf" run 0 $sphere mi.off --metric inf $quick
-check "sharp" run 0 "$data/fandisk.off" sharp.ply --sharp 30 --faces 6000 --arrays --no-distance --json sharp.json
+check "sharp" run 0 "$data/fandisk.off" sharp.ply --sharp 30 --faces 6000 --arrays --no-distance --details --json sharp.json
 for name in "regions between creases" "feature curves, boundaries included" "corners"; do
   check "$name: as before, and more than one" awk -v name="$name" \
     'index($0, name) == 1 { found = $(NF - 1) == $NF && $NF > 1 } END { exit !found }' stdout
@@ -119,9 +142,9 @@ check "sharp with a metric, fitted, by another kernel" run 0 "$data/fandisk.off"
   --kernel wendland-c4 --faces 3000 $quick
 check "adaptive sigma" run 0 $sphere a.off --sigma auto $quick
 check "error" run 0 $sphere e.off --error 2e-3 --no-distance
-check "it is kept" grep -q '^the error asked for is kept$' stdout
+check "it is kept" grep -Eq '^error asked for: +0\.002 D, kept: the distance is 0\.00[0-9]+ D at most$' stdout
 check "error and faces" run 0 $sphere ef.off --absolute-error 1e-5 --faces 500 --no-distance
-check "the number of faces is reached first" grep -q '^the number of faces was reached before' stdout
+check "the number of faces is reached first" grep -Eq '^error asked for: .*, not kept: the number of faces was reached before$' stdout
 {
   echo "ply"
   echo "format ascii 1.0"
@@ -134,16 +157,16 @@ check "the number of faces is reached first" grep -q '^the number of faces was r
   awk '$1 == "f" { split($2, a, "/"); split($3, b, "/"); split($4, c, "/"); print 3, a[1] - 1, b[1] - 1, c[1] - 1 }' sphere.obj
 } >heat.ply
 check "field" run 0 heat.ply f.off --field heat --tau .2 $quick
-check "it is named" grep -q 'field heat with tau' stdout
+check "it is named" grep -q 'field heat' stdout
 refuses 1 "cold" heat.ply precious.off --field cold
 refuses 1 "needs a PLY file" $sphere precious.off --field heat
-refuses 2 "requires" $sphere precious.off --tau 1
+refuses 2 "--tau needs --field" $sphere precious.off --tau 1
 refuses 1 "from 1 to inf" $sphere precious.off --metric .5
 refuses 1 "from 1 to inf" $sphere precious.off --metric nan
-refuses 2 "Could not convert" $sphere precious.off --metric two
-refuses 2 "Could not convert" $sphere precious.off --sigma automatic
-refuses 2 "excludes" $sphere precious.off --metric 2 --sigma .1
-refuses 2 "excludes" $sphere precious.off --error .1 --length 1
+refuses 2 "--metric and --sigma cannot both be given" $sphere precious.off --metric 2 --sigma .1
+refuses 2 "--metric and --length cannot both be given" $sphere precious.off --metric 2 --length 1
+refuses 2 "--error and --length cannot both be given" $sphere precious.off --error .1 --length 1
+refuses 2 "--field and --sigma auto cannot both be given" heat.ply precious.off --field heat --sigma auto
 refuses 1 "above 0" $sphere precious.off --error 0
 check "self-intersections" run 0 $sphere s.off --self-intersections $quick
 check "their row" grep -Eq '^pairs of faces that intersect +0 +0$' stdout
@@ -165,10 +188,10 @@ check "VTP without arrays" run 0 $sphere plain.vtp --faces 500 $quick
 check "it has none" [ "$(grep -c aspect_ratio plain.vtp)" -eq 0 ]
 
 # by measured error there is no function, and nothing is measured that needs one
-check "measured error" run 0 $sphere me.vtp --faces 500 --iterations 2 --arrays --json me.json
+check "measured error" run 0 $sphere me.vtp --faces 500 --iterations 2 --arrays --details --json me.json
 check "it is named" grep -q '; by measured error, no embedding$' stdout
 check "no function in the table" [ "$(grep -Ec '^function:|^projections:|zero set|6D|folded faces|smooth function' stdout)" -eq 0 ]
-check "distances both ways" [ "$(grep -c '^distance \(to\|from\) the input' stdout)" -eq 4 ]
+check "distances both ways" [ "$(grep -c '^distance \(to\|from\) the input, ' stdout)" -eq 4 ]
 check "no function in the JSON" \
   [ "$(grep -Ec '"(function|kernel|sigma|distance_to_zero_set|least_distance_possible|smooth function)":|"embedding": {' me.json)" -eq 0 ]
 check "all faces have an angle in space" [ "$(numbers_in me.vtp smallest_angle)" -eq 500 ]
@@ -194,8 +217,8 @@ check "quiet is silent" [ ! -s stdout -a ! -s stderr ]
 check "one thread" run 0 $sphere threads_1.off --threads 1 $quick
 check "two threads" run 0 $sphere threads_2.off --threads 2 $quick
 check "the same result" cmp -s threads_1.off threads_2.off
-check "distance" run 0 $sphere d.off --iterations 2
-check "distance both ways" [ "$(grep -c '^distance \(to\|from\) the input' stdout)" -eq 4 ]
+check "distance" run 0 $sphere d.off --iterations 2 --details
+check "distance both ways" [ "$(grep -c '^distance \(to\|from\) the input, ' stdout)" -eq 4 ]
 check "no bar in a pipe" is_free_of_control_characters stderr
 check "no control characters in the table" is_free_of_control_characters stdout
 { cat sphere.obj; echo "v 9 9 9"; } >isolated.obj
@@ -229,7 +252,7 @@ printf 'OFF\n8 12\n0 0 0\n0 0 1\n0 1 0\n0 1 1\n1 0 0\n1 0 1\n1 1 0\n1 1 1\n3 0 1
 3 2 3 7\n3 2 7 6\n3 0 2 6\n3 0 6 4\n3 1 5 7\n3 1 7 3\n' >cube.off
 check "a cube without --sharp" run 0 cube.off w.off --faces 200 --smoothing auto --json w.json
 check "has rounded edges" says "edges of IN that turn by 60 degrees or more are up to"
-check "and nothing to smooth, as it has few points" says "--smoothing has no effect: 1 of 1 patches of the function are answered by IN itself"
+check "and nothing to smooth, as it has few points" says "--smoothing has no effect: 1 of 1 patches of the function are replaced by the distance to IN"
 check "both in the JSON" [ "$(grep -Ec 'turn by 60 degrees|smoothing has no effect' w.json)" -eq 2 ]
 check "a cube with --sharp" run 0 cube.off w.off --faces 200 --sharp 30
 check "has none of it" [ ! -s stderr ]
@@ -250,21 +273,52 @@ if command -v python3 >/dev/null; then
 fi
 
 # ----------------------------------------------------------------------------------------------------------- bad usage
-refuses 2 "OUT" $sphere
-refuses 2 "--nonsense" $sphere precious.off --nonsense
-refuses 2 "many" $sphere precious.off --faces many
-refuses 2 "cubic" $sphere precious.off --kernel cubic
-refuses 1 "shape" $sphere precious.off --shape 3
+refuses 2 "OUT is missing: hde_remesh IN OUT [OPTIONS]" $sphere
+refuses 2 "IN and OUT are missing" --quiet
+refuses 2 "'third.off' is one file too many" $sphere precious.off third.off
+refuses 2 "unknown option --sgima: did you mean --sigma?" $sphere precious.off --sgima .1
+refuses 2 "unknown option --sgima: did you mean --sigma?" --sgima=.1 $sphere precious.off
+refuses 2 "unknown option --face: did you mean --faces?" $sphere precious.off --face 100
+refuses 2 "unknown option -faces: did you mean --faces?" $sphere precious.off -faces 100
+refuses 2 "unknown option --iter: did you mean --iterations?" $sphere precious.off --iter 3
+refuses 2 "unknown option --repiar: did you mean --repair?" $sphere precious.off --repiar
+refuses 2 "unknown option --nonsense: hde_remesh --help-all names all" $sphere precious.off --nonsense
+refuses 2 "unknown option -x" $sphere precious.off -x
+for option in --faces --vertices --iterations --relaxation-steps --patches --threads; do
+  refuses 2 "$option needs a whole number, got many" $sphere precious.off $option many
+  refuses 2 "$option needs a whole number, got 1e4" $sphere precious.off $option 1e4
+  refuses 2 "$option needs a whole number" $sphere precious.off $option
+done
+for option in --length --error --absolute-error --aspect-ratio --shape-weight --absolute-sigma --tau --sharp --smoothing-ratio \
+  --collapse-ratio --split-ratio --merge --trim --shape --overlap --offset; do
+  refuses 2 "$option needs a number, got abc" $sphere precious.off $option abc
+  refuses 2 "$option needs a number, got .1x" $sphere precious.off $option=.1x
+  refuses 2 "$option needs a number" $sphere precious.off $option --quiet
+done
+for option in --sigma --smoothing; do
+  refuses 2 "$option needs a number or auto, got abc" $sphere precious.off $option abc
+  refuses 2 "$option needs a number or auto, got nothing" $sphere precious.off $option ""
+done
+refuses 2 "--metric needs a number or inf, got two" $sphere precious.off --metric two
+refuses 2 "--kernel needs r3, thin-plate, gaussian, multiquadric, inverse-multiquadric, wendland-c2, wendland-c4 or wendland-c6, got cubic" \
+  $sphere precious.off --kernel cubic
+refuses 2 "--scheme needs default, measured-error, embedding or paper, got best" $sphere precious.off --scheme best
+refuses 2 "--report needs the name of a file" $sphere precious.off --report
+refuses 2 "--fit takes no value" $sphere precious.off --fit=yes
+refuses 2 "--faces is given twice" $sphere precious.off --faces 100 --faces 200
+refuses 2 "--shape and --kernel r3 cannot both be given" $sphere precious.off --shape 3
+check "a value behind =" run 0 $sphere equals.off --faces=500 --iterations=1 --no-distance
+check "is taken" grep -Eq '^faces +[0-9]+ +500$' stdout
+refuses 1 "--sigma must be a finite number, 0 or more, not -inf" $sphere precious.off --sigma -inf
 refuses 1 "shape" $sphere precious.off --kernel gaussian --shape -1
 refuses 1 "smoothing" $sphere precious.off --smoothing -1
-refuses 2 "smoothing" $sphere precious.off --smoothing much
-refuses 2 "excludes" $sphere precious.off --faces 100 --vertices 100
-refuses 2 "excludes" $sphere precious.off --faces 100 --length 1
-refuses 2 "excludes" $sphere precious.off --sigma .1 --absolute-sigma 1
+refuses 2 "--faces and --vertices cannot both be given" $sphere precious.off --faces 100 --vertices 100
+refuses 2 "--faces and --length cannot both be given" $sphere precious.off --faces 100 --length 1
+refuses 2 "--sigma and --absolute-sigma cannot both be given" $sphere precious.off --sigma .1 --absolute-sigma 1
 refuses 2 "precious.off" $sphere precious.off --json precious.off
 for option in --faces --vertices --patches --threads; do
-  refuses 1 "$option must be positive, not 0" $sphere precious.off $option 0
-  refuses 1 "$option must be positive, not -7" $sphere precious.off $option -7
+  refuses 1 "$option must be 1 or more, not 0" $sphere precious.off $option 0
+  refuses 1 "$option must be 1 or more, not -7" $sphere precious.off $option -7
 done
 for value in 0 -1 nan inf; do
   refuses 1 "$value" $sphere precious.off --length $value
@@ -278,19 +332,21 @@ for value in 0 180 -30 nan inf; do
   refuses 1 "--sharp must be above 0 and below 180 degrees, not $value" $sphere precious.off --sharp $value
 done
 refuses 1 "-1" $sphere precious.off --iterations -1
-refuses 1 "1.5" $sphere precious.off --smoothing-ratio 1.5
+refuses 1 "--smoothing-ratio must be from 0 to 1, not 1.5" $sphere precious.off --smoothing-ratio 1.5
+refuses 1 "--collapse-ratio must be from 0 to 1, not -1" $sphere precious.off --collapse-ratio -1
+refuses 1 "--split-ratio must be from 1 to 100, not 0.5" $sphere precious.off --split-ratio .5
 refuses 1 "--aspect-ratio must be 1.2 or more, not 1" $sphere precious.off --aspect-ratio 1
 refuses 1 "-1" $sphere precious.off --shape-weight -1
 
 # ------------------------------------------------------------------------------------------------------------- bad files
-refuses 1 "missing.off" missing.off precious.off --json precious.json
+refuses 1 "cannot read 'missing.off': No such file" missing.off precious.off --json precious.json
 refuses 1 "'.abc'" missing.abc precious.off
 refuses 1 "only read, as they have no faces" $sphere out.xyz
 refuses 1 "no extension" $sphere precious
 refuses 1 "target" target precious.off
 mkdir folder.off
 refuses 1 "folder.off" $sphere folder.off
-refuses 1 "folder.off" folder.off precious.off
+refuses 1 "cannot read 'folder.off': it is a directory" folder.off precious.off
 refuses 1 "nowhere" $sphere nowhere/out.off
 refuses 1 "nowhere" $sphere precious.off --json nowhere/out.json
 if [ "$(id -u)" -ne 0 ]; then # root may write everything
@@ -302,11 +358,29 @@ fi
 
 # --------------------------------------------------------------------------------------------------------- bad contents
 : >empty.off
-refuses 1 "empty.off" empty.off precious.off --json precious.json
-for format in obj ply stl; do
+refuses 1 "cannot read 'empty.off': it is empty" empty.off precious.off --json precious.json
+printf 'Dear reader,\nthis is no mesh.\n' >text
+printf '\x89PNG\r\n\x1a\n\0\0\0\rIHDR' >picture
+for format in obj ply stl xyz; do
   : >empty.$format
-  refuses 1 "empty.$format" empty.$format precious.off
+  refuses 1 "cannot read 'empty.$format': it is empty" empty.$format precious.off
 done
+for format in off obj ply stl xyz; do
+  cp text text.$format
+  refuses 1 "cannot read 'text.$format': it is no ${format^^} file: " text.$format precious.off
+  cp picture picture.$format
+  refuses 1 "cannot read 'picture.$format': it is a PNG picture, and no ${format^^} file" picture.$format precious.off
+done
+printf ' \n\n' >blanks.obj
+refuses 1 "it has nothing but blanks" blanks.obj precious.off
+printf 'version https://git-lfs.github.com/spec/v1\n' >pointer.ply
+refuses 1 "it is a pointer of Git LFS" pointer.ply precious.off
+for format in obj ply stl; do
+  cp sphere.$format wrong_$format.off
+  refuses 1 "${format^^} file: then its name must end in .$format" wrong_$format.off precious.off
+done
+cp sphere.off wrong_off.ply
+refuses 1 "it looks like an OFF file: then its name must end in .off" wrong_off.ply precious.off
 printf 'OFF\n0 0 0\n' >no_faces.off
 refuses 1 "no faces" no_faces.off precious.off
 printf 'OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n' >points_only.off
@@ -352,7 +426,7 @@ refuses_ply "the header does not end" ply "format ascii 1.0" "element vertex 1"
 for format in off obj ply stl; do
   head -c $(($(stat -c %s sphere.$format) * 2 / 3)) sphere.$format | head -c -3 >truncated.$format
   [ $format = obj ] && continue # any number of whole lines is a file of this format
-  refuses 1 "truncated.$format" truncated.$format precious.off
+  refuses 1 "cannot read 'truncated.$format': it is cut off: " truncated.$format precious.off
 done
 head -c 3000 /dev/urandom >noise
 for format in off obj ply stl; do
@@ -409,8 +483,8 @@ check "the soup is a sphere" grep -Eq '^Euler characteristic +2 +2$' stdout
 check "a double face" grep -q '"removed_faces": 1,' repair.json
 refuses 1 "line 5" nan.stl precious.off --repair
 refuses 1 "face 1 of 1" index.obj precious.off --repair
-refuses 2 "excludes" heat.ply precious.off --repair --field heat
-refuses 2 "excludes" heat.ply precious.off --merge .1 --field heat
+refuses 2 "--field and --repair cannot both be given" heat.ply precious.off --repair --field heat
+refuses 2 "--field and --merge cannot both be given" heat.ply precious.off --merge .1 --field heat
 
 # -------------------------------------------------------------------------------------------------------------- cracks
 # torn FORMAT SIZE: sphere.obj as single triangles, whose points are up to SIZE / 2 from where they were, in text STL or OFF
@@ -493,18 +567,18 @@ if [ -w /dev/full ]; then
   check "one line on that" says "standard output"
 fi
 
-# interrupt SIGNAL STATUS: during the computation
+# interrupt SIGNAL STATUS TEXT: during the computation
 interrupt() {
   # in a shell of its own with job control: a background process of this one would ignore Ctrl-C
   bash -c 'set -m; "$1" "$2" old.off --faces 60000 --iterations 100000 >stdout 2>stderr & sleep 2; kill -'"$1"' $!; wait $!' \
     - "$program" "$data/bunny00.off" 2>/dev/null
   check "status after SIG$1" [ $? -eq "$2" ]
-  check "a line on SIG$1" grep -q '^hde_remesh: ' stderr
+  check "a line on SIG$1" grep -qx "hde_remesh: $3; nothing was written" stderr
   check "the old file after SIG$1" grep -qx precious old.off
   check "no temporary file after SIG$1" has_no_temporary_file
 }
-interrupt INT 130
-interrupt TERM 143
+interrupt INT 130 cancelled
+interrupt TERM 143 "stopped by a signal"
 bash -c 'set -m; "$1" "$2" old.off --faces 60000 --iterations 100000 >stdout 2>stderr & sleep 2; kill -KILL $!; wait $!' \
   - "$program" "$data/bunny00.off" 2>/dev/null
 check "status after SIGKILL" [ $? -eq 137 ]

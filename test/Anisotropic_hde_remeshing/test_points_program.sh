@@ -41,7 +41,7 @@ ellipsoid() {
       ++i; x /= r; y /= r; z /= r; n = sqrt(x * x + y * y / 4 + z * z)
       printf "%.9g %.9g %.9g %.9g %.9g %.9g\n", x, 2 * y, z, x / n, y / 2 / n, z / n } }'
 }
-nothing="--iterations 0 --no-distance"
+nothing="--iterations 0 --no-distance --details"
 ellipsoid >e.xyz
 cut -d' ' -f1-3 e.xyz >bare.xyz
 
@@ -100,7 +100,7 @@ P
 fi
 
 # ------------------------------------------------------------------------------------------ the rest of the program
-check "a number of faces" run 0 e.xyz f.ply --faces 600 --json f.json
+check "a number of faces" run 0 e.xyz f.ply --faces 600 --details --json f.json
 check "it is met" has '^faces +[0-9]+ +600$' stdout
 check "fewer facets for fewer faces" awk '$1 == "faces" { exit !($2 < 1500 && $2 >= 1000) }' stdout
 check "what was found is in the table" has '^points: 2000, 0 without normal, 0 outliers' stdout
@@ -108,7 +108,7 @@ for key in '"number": 2000' '"outliers": 0' '"components": 1' '"holes_closed": 0
   check "$key in the JSON" has "$key" f.json
 done
 check "an error" run 0 e.xyz f.off --error 2e-3 --no-distance
-check "it is kept" grep -q '^the error asked for is kept$' stdout
+check "it is kept" grep -Eq '^error asked for: .*, kept: ' stdout
 check "STL" run 0 e.xyz f.stl $nothing
 check "quiet" run 0 e.xyz q.off $nothing --quiet
 check "is quiet" [ ! -s stdout -a ! -s stderr ]
@@ -129,7 +129,7 @@ check "all of the vertices have the colour and the number of the nearest point" 
   name == "red" { red[i++] = $1 } name == "heat" { heat[i++] = $1 }
   name == "points" { ++number; if ($1 > .1 && red[i] != 255 || $1 < -.1 && red[i] != 10 || (heat[i] - $2) ^ 2 > .02) ++wrong; ++i }
   END { exit !(number > 300 && wrong == 0) }' colours.vtp
-check "a field of points" run 0 colours.ply field.off --field heat --faces 1500 --no-distance
+check "a field of points" run 0 colours.ply field.off --field heat --faces 1500 --no-distance --details
 check "is in the embedding" grep -q 'field heat' stdout
 refuses "no property 'cold'" colours.ply --field cold
 awk '{ print $1, $2, $3, 200, 20, 30, $7 }' data >colours.xyz
@@ -185,7 +185,7 @@ check "is found by itself" has '"noise": 0.0(0[6-9]|1[01])' noisy.json
 check "without smoothing" run 0 noisy.xyz rough.off $nothing --smoothing 0 --json rough.json
 check "there is none" has '"noise": 0.0,' rough.json
 refuses "--trim 1e-09 leaves nothing" noisy.xyz --trim 1e-9
-check "noise that was removed does not keep the error from leading" run 0 noisy.xyz n.off --smoothing auto --faces 500 --no-distance
+check "noise that was removed does not keep the error from leading" run 0 noisy.xyz n.off --smoothing auto --faces 500 --no-distance --details
 check "by which it goes" grep -q 'by measured error' stdout
 awk '{ print $1, $2, $3, 0, 0, 0 }' e.xyz >zero.xyz
 check "normals that are zero" run 0 zero.xyz zero.off $nothing
@@ -197,7 +197,9 @@ check "are told" says "200 points of IN have no normal"
 # ---------------------------------------------------------------------------------------------------------- wrong files
 refuses "missing.xyz" missing.xyz
 : >empty.xyz
-refuses "line 0: expected the coordinates of a point, but the file ends" empty.xyz
+refuses "cannot read 'empty.xyz': it is empty" empty.xyz
+printf '# no more than this\n' >comment.xyz
+refuses "it is cut off: line 1: expected the coordinates of a point, but the file ends" comment.xyz
 printf '1 2 3\n1 2\n' >two_numbers.xyz
 refuses "line 2: expected 3 numbers, as before, found 2" two_numbers.xyz
 printf '1 2\n' >flat.xyz

@@ -68,9 +68,18 @@ is_saved_mesh() {
 }
 
 # the table on the terminal, and that of the page, a line each: name|before|after
-rows_of_terminal() { sed -n '2,/^$/ { /./ p }' stdout | sed -E 's/ {2,}/|/g'; }
+rows_of_terminal() { awk '/^$/ { is_table = 0 } is_table { print } /^ +before +after$/ { is_table = 1 }' stdout | sed -E 's/ {2,}/|/g'; }
+# the verdict on the terminal, each of its texts in one line, and that of the page
+verdict_of_terminal() {
+  awk 'NR == 1 { next } /^$/ { exit } /^ / { sub(/^ +/, ""); line = line " " $0; next }
+       { if (line) print line; sub(/: +/, "|"); line = $0 } END { print line }' stdout
+}
+verdict_of_page() {
+  grep -Eo '<table id="verdict">.*</table>' dom | sed 's|</table>.*||; s|</tr>|\n|g; s|</td><td>|\||g; s|<[^>]*>||g' | grep '|'
+}
+is_verdict_alike() { diff <(verdict_of_terminal) <(verdict_of_page) > /dev/null && [ "$(verdict_of_page | wc -l)" -ge 5 ]; }
 rows_of_page() {
-  grep -Eo '<table id="measures">.*</table>' dom | sed 's|</tr>|\n|g; s|</td><td>|\||g; s|<[^>]*>||g' | grep '|'
+  grep -Eo '<table id="measures">.*</table>' dom | sed 's|</table>.*||; s|</tr>|\n|g; s|</td><td>|\||g; s|<[^>]*>||g' | grep '|'
 }
 are_tables_alike() { diff <(rows_of_terminal) <(rows_of_page) > /dev/null && [ "$(rows_of_page | wc -l)" -gt 12 ]; }
 
@@ -78,7 +87,7 @@ contains() { grep -qF -- "$1" dom; }
 
 # a name that would end the script, a tag and a quoted word
 cp "$data/sphere.off" "it's <b> <!-- <script> mesh.off"
-check "a page" "$program" "it's <b> <!-- <script> mesh.off" out.off --faces 800 --sigma .02 --report page.html > stdout 2> /dev/null
+check "a page" "$program" "it's <b> <!-- <script> mesh.off" out.off --faces 800 --sigma .02 --details --report page.html > stdout 2> /dev/null
 check "it loads nothing from elsewhere" \
   [ "$(grep -Eo '(src|href)=.?[^ ]*|@import|fetch\(|XMLHttpRequest' page.html | wc -l)" -eq 0 ]
 check "a browser opens it" open_page page.html
@@ -86,6 +95,7 @@ check "both meshes are shown" contains 'data-state="shown"'
 check "the name of the input" contains "it's &lt;b&gt; &lt;!-- &lt;script&gt; mesh.off"
 check "the command line" contains "'it'\\''s &lt;b&gt; &lt;!-- &lt;script&gt; mesh.off'"
 check "the table is that of the terminal" are_tables_alike
+check "so is the verdict" is_verdict_alike
 check "the distance to the zero set in D" grep -Eq '<td>faces to the zero set, rms</td><td>[-0-9.e]+ D</td><td>[-0-9.e]+ D</td>' dom
 check "its numbers" contains '<td>800</td>'
 check "five histograms" [ "$(grep -o '<figure>' dom | wc -l)" -eq 5 ]
@@ -99,7 +109,7 @@ use_page "on a phone" page.html 390 844
 
 # creases and boundaries
 check "a page of a mesh with creases" \
-  "$program" "$data/fandisk.off" sharp.off --faces 2000 --sharp 20 --report sharp.html > stdout 2> /dev/null
+  "$program" "$data/fandisk.off" sharp.off --faces 2000 --sharp 20 --details --report sharp.html > stdout 2> /dev/null
 check "it opens, too" open_page sharp.html
 check "regions, curves and corners as on the terminal" are_tables_alike
 check "they are there" grep -Eq '<td>regions between creases</td><td>[0-9]+</td>.*<td>corners</td><td>[1-9][0-9]*</td>' dom

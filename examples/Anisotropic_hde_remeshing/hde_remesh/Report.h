@@ -56,8 +56,8 @@ struct Report
   bool has_function() const { return rbf || pieces; }
 };
 
-// for people
-void print_table(const Report& report, std::ostream& stream);
+// for people: the verdict, and the most important figures or all of them
+void print_table(const Report& report, bool with_details, std::ostream& stream);
 
 // for programs
 std::string to_json(const Report& report);

@@ -102,7 +102,7 @@ void warn_of_options(const Options& options, const Remeshed& remeshed, Report& r
   if ((options.smoothing || options.automatic_smoothing) && 2 * on_fallback > number)
     report.warnings.push_back("--smoothing has " + std::string(on_fallback == number ? "no" : "little") +
                               " effect: " + std::to_string(on_fallback) + " of " + std::to_string(number) +
-                              " patches of the function are answered by IN itself");
+                              " patches of the function are replaced by the distance to IN");
 }
 
 // Sharp edges that no one wanted to keep, where they have become round.

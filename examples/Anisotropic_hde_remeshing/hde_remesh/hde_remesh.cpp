@@ -43,6 +43,8 @@
 #include <utility>
 #include <vector>
 
+#include <unistd.h>
+
 namespace hde_remesh {
 
 namespace {
@@ -192,9 +194,15 @@ void print(const Report& report, const Options& options)
   else if (!options.json.empty())
     write_beside(options.json, to_json(report));
   if (!options.quiet && options.json != "-")
-    print_table(report, std::cout);
+    print_table(report, options.details, std::cout);
   if (!std::cout.flush())
     throw Failure("cannot write to the standard output (the mesh is written)");
+}
+
+// whether the table is on the terminal that the warnings would be on
+bool is_verdict_seen(const Options& options)
+{
+  return !options.quiet && options.json != "-" && isatty(STDOUT_FILENO) != 0 && isatty(STDERR_FILENO) != 0;
 }
 
 void run(const Options& all_options)
@@ -231,8 +239,9 @@ void run(const Options& all_options)
   if (!options.report.empty())
     write_page(report, input.mesh, remeshed, options, progress);
   progress.clear();
-  for (const std::string& warning : report.warnings)
-    warn(options, warning);
+  if (!is_verdict_seen(options)) // which has them, too
+    for (const std::string& warning : report.warnings)
+      warn(options, warning);
   print(report, options);
 }
 

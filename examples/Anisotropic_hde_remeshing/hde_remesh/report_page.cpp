@@ -10,6 +10,7 @@
 #include "page_mesh.h"
 #include "report_page_template.h"
 #include "table_rows.h"
+#include "verdict.h"
 
 #include <CGAL/Bbox_3.h>
 
@@ -32,6 +33,14 @@ Json to_json(const std::vector<Table_row>& rows)
   Json json = Json::array();
   for (const Table_row& row : rows)
     json.push_back({row.name, row.before, row.after});
+  return json;
+}
+
+Json to_json(const std::vector<Verdict_line>& lines)
+{
+  Json json = Json::array();
+  for (const Verdict_line& line : lines)
+    json.push_back({line.name, line.text});
   return json;
 }
 
@@ -76,6 +85,7 @@ std::string report_page(const Report& report, const std::string& command_line, c
 {
   const std::vector<Page_figure> figures = page_figures(before, after, report.diagonal);
   Json json = {{"report", Json::parse(to_json(report))},
+               {"verdict", to_json(verdict(report))},
                {"table", to_json(table_rows(report))},
                {"command_line", command_line},
                {"histograms", histograms(figures, report, before.figures, after.figures)}};

@@ -9,6 +9,7 @@
 #include "table_rows.h"
 #include "number_text.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -43,9 +44,9 @@ public:
   }
 
 private:
-  void row(const std::string& name, const std::string& before, const std::string& after)
+  void row(const std::string& name, const std::string& before, const std::string& after, const int rank = 0)
   {
-    m_rows.push_back({name, before, after});
+    m_rows.push_back({name, before, after, rank});
   }
 
   // a length, relative to the diagonal
@@ -56,36 +57,36 @@ private:
 
   void add_topology(const Hde::Topology_measures& before, const Hde::Topology_measures& after)
   {
-    row("vertices", text(before.number_of_vertices), text(after.number_of_vertices));
-    row("faces", text(before.number_of_faces), text(after.number_of_faces));
-    row("components", text(before.number_of_components), text(after.number_of_components));
-    row("boundary loops", text(before.number_of_boundary_loops), text(after.number_of_boundary_loops));
-    row("Euler characteristic", std::to_string(before.euler_characteristic), std::to_string(after.euler_characteristic));
+    row("vertices", text(before.number_of_vertices), text(after.number_of_vertices), 1);
+    row("faces", text(before.number_of_faces), text(after.number_of_faces), 1);
+    row("components", text(before.number_of_components), text(after.number_of_components), 1);
+    row("boundary loops", text(before.number_of_boundary_loops), text(after.number_of_boundary_loops), 1);
+    row("Euler characteristic", std::to_string(before.euler_characteristic), std::to_string(after.euler_characteristic), 1);
     row("interior vertices with 6 edges", percent(before.valence_6_share), percent(after.valence_6_share));
   }
 
   void add_features(const Hde::Feature_curves& before, const Hde::Feature_curves& after)
   {
-    row("regions between creases", text(m_report.result.number_of_regions), text(m_report.result.number_of_regions));
-    row("feature curves, boundaries included", text(before.number_of_curves), text(after.number_of_curves));
-    row("corners", text(before.number_of_corners), text(after.number_of_corners));
+    row("regions between creases", text(m_report.result.number_of_regions), text(m_report.result.number_of_regions), 2);
+    row("feature curves, boundaries included", text(before.number_of_curves), text(after.number_of_curves), 2);
+    row("corners", text(before.number_of_corners), text(after.number_of_corners), 2);
     row("length of the feature curves", relative(before.length, 6), relative(after.length, 6));
   }
 
   void add_shape(const Hde::Shape_measures& before, const Hde::Shape_measures& after)
   {
-    row("aspect ratio q = R / 2r, mean", fixed(before.aspect_ratio_mean, 3), fixed(after.aspect_ratio_mean, 3));
+    row("aspect ratio q = R / 2r, mean", fixed(before.aspect_ratio_mean, 3), fixed(after.aspect_ratio_mean, 3), 5);
     row("aspect ratio, 99th percentile", fixed(before.aspect_ratio_p99, 3), fixed(after.aspect_ratio_p99, 3));
     row("aspect ratio, largest", fixed(before.aspect_ratio_max, 3), fixed(after.aspect_ratio_max, 3));
-    row("degenerate faces", text(before.number_of_degenerate_faces), text(after.number_of_degenerate_faces));
-    row("folded edges", text(before.number_of_folded_edges), text(after.number_of_folded_edges));
+    row("degenerate faces", text(before.number_of_degenerate_faces), text(after.number_of_degenerate_faces), 5);
+    row("folded edges", text(before.number_of_folded_edges), text(after.number_of_folded_edges), 3);
   }
 
   void add_by_function(const Function_figures& before, const Function_figures& after)
   {
     if (m_report.has_6d_lengths)
       add_lengths(before.embedding, after.embedding, after.embedding_to_target);
-    row("folded faces", text(before.embedding.number_of_folded_faces), text(after.embedding.number_of_folded_faces));
+    row("folded faces", text(before.embedding.number_of_folded_faces), text(after.embedding.number_of_folded_faces), 3);
     add_alignment(before.alignment, after.alignment);
     add_zero_set(before, after);
   }
@@ -97,7 +98,7 @@ private:
     row("6D edge lengths in [.7, 1.41] m", percent(before.share_within_sqrt_2), percent(after.share_within_sqrt_2));
     row("6D edge lengths in [.5, 1.5] m", percent(before.share_within_half), percent(after.share_within_half));
     row("6D edge length aimed at, l", "-", relative(to_target.target_edge_length, 4));
-    row("6D edge lengths in [.7, 1.41] l", "-", percent(to_target.share_within_sqrt_2));
+    row("6D edge lengths in [.7, 1.41] l", "-", percent(to_target.share_within_sqrt_2), 4);
     row("least 6D angle of a face, mean, degrees", fixed(before.minimum_angle_mean, 2), fixed(after.minimum_angle_mean, 2));
     row("least 6D angle of all", fixed(before.minimum_angle_least, 2), fixed(after.minimum_angle_least, 2));
   }
@@ -116,7 +117,7 @@ private:
     { row(name, relative(of_before), relative(of_after)); };
     both("interior vertices to the zero set, largest", before.zero_set.interior_vertex_max, after.zero_set.interior_vertex_max);
     both("boundary vertices to the zero set, largest", before.zero_set.boundary_vertex_max, after.zero_set.boundary_vertex_max);
-    both("faces to the zero set, rms", before.zero_set.face_rms, after.zero_set.face_rms);
+    row("faces to the zero set, rms", relative(before.zero_set.face_rms), relative(after.zero_set.face_rms), 4);
     both("faces to the zero set, largest", before.zero_set.face_max, after.zero_set.face_max);
     // how much further than the best mesh of as many faces with vertices on the surface
     const auto over_bound = [](const double distance, const double bound)
@@ -131,7 +132,7 @@ private:
   {
     const Figures &before = m_report.before, &after = m_report.after;
     if (before.self_intersections || after.self_intersections)
-      row("pairs of faces that intersect", text(before.self_intersections), text(after.self_intersections));
+      row("pairs of faces that intersect", text(before.self_intersections), text(after.self_intersections), 3);
     if (m_report.error)
       row(m_report.has_function() ? "bound on the distance, without curves" : "bound on the distance, both ways", "-",
           relative(m_report.result.approximation_error));
@@ -151,5 +152,21 @@ private:
 } // namespace
 
 std::vector<Table_row> table_rows(const Report& report) { return Rows(report).make(); }
+
+std::vector<Table_row> most_important_rows(const std::vector<Table_row>& rows, const std::size_t number)
+{
+  std::vector<std::size_t> chosen;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (rows[i].rank > 0)
+      chosen.push_back(i);
+  std::stable_sort(chosen.begin(), chosen.end(),
+                   [&](const std::size_t i, const std::size_t j) { return rows[i].rank < rows[j].rank; });
+  chosen.resize((std::min)(chosen.size(), number));
+  std::sort(chosen.begin(), chosen.end());
+  std::vector<Table_row> result;
+  for (const std::size_t i : chosen)
+    result.push_back(rows[i]);
+  return result;
+}
 
 } // namespace hde_remesh

@@ -11,6 +11,7 @@
 
 #include "Report.h"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -20,10 +21,14 @@ namespace hde_remesh {
 struct Table_row
 {
   std::string name, before, after;
+  int rank = 0; // 1 is the most important one, 0 is one for --details only
 };
 
 // The table of both meshes: the terminal and the page of --report show the same. All lengths are in D.
 std::vector<Table_row> table_rows(const Report& report);
+
+// at most `number` rows of these: the most important ones, in their order
+std::vector<Table_row> most_important_rows(const std::vector<Table_row>& rows, std::size_t number);
 
 } // namespace hde_remesh
 

@@ -37,16 +37,11 @@ function fillHeading() {
   const r = data.report, name = fileName(r.input) + " \u2192 " + fileName(r.output);
   document.title = name + ", " + text(data.after.number_of_faces) + " triangles - hde_remesh";
   element("title").textContent = name;
-  element("subtitle").textContent = text(data.before.number_of_faces) + " triangles before, " +
-    text(data.after.number_of_faces) + " after" +
-    (r.distance ? "; distance between both, root mean square " + inD(r.distance.rms) + ", largest " + inD(r.distance.max) : "") +
-    ". All lengths are in D, the diagonal of the bounding box of " + fileName(r.input) + ", which is " + text(r.diagonal, 6) +
-    " in the unit of the mesh.";
-  for (const warning of r.warnings) {
-    const item = document.createElement("li");
-    item.textContent = "Warning: " + warning + ".";
-    element("warnings").appendChild(item);
-  }
+  const table = element("verdict");
+  for (const [name, said] of data.verdict) addRow(table, [name, said]);
+  for (const row of [...table.rows].slice(data.verdict.length - r.warnings.length)) row.className = "problem";
+  element("subtitle").textContent = "All lengths are in D, the diagonal of the bounding box of " + fileName(r.input) + ", which is " +
+    text(r.diagonal, 6) + " in the unit of the mesh.";
 }
 
 function describeMesh(id, mesh) {
@@ -67,7 +62,7 @@ function fillParameters() {
   if (r.sharp !== undefined) add("edges kept that turn by", text(r.sharp) + "\u00b0 or more");
   if (r.kernel !== undefined) add("kernel", r.kernel);
   if (r.function)
-    add("patches; of these answered by the input itself", text(r.function.patches), text(r.function.patches_on_fallback));
+    add("patches; of these replaced by the distance to the input", text(r.function.patches), text(r.function.patches_on_fallback));
   add("scheme, iterations", r.scheme, text(r.remeshing.iterations));
   for (const stage of Object.keys(r.seconds || {})) add("time: " + stage, r.seconds[stage].toFixed(2) + " s");
   add("program", r.program);
