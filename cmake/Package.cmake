@@ -6,8 +6,8 @@
 #
 # Author(s)     : The Anisotropic_hde_remeshing developers
 
-# Debian packages of the headers, of the compiled library and of the program: cmake --build BUILD_DIR --target package. To be included
-# after all that is installed.
+# Debian packages of the headers, of the compiled library and of the program: cmake --build BUILD_DIR --target package. The archive of
+# the sources that is released: cmake --build BUILD_DIR --target package_source. To be included after all that is installed.
 
 set(package_info "${PROJECT_SOURCE_DIR}/package_info/Anisotropic_hde_remeshing")
 file(STRINGS "${package_info}/description.txt" CPACK_PACKAGE_DESCRIPTION_SUMMARY LIMIT_COUNT 1)
@@ -17,7 +17,6 @@ set(CPACK_PACKAGE_VENDOR "${CPACK_PACKAGE_CONTACT}")
 set(CPACK_RESOURCE_FILE_LICENSE "${PROJECT_SOURCE_DIR}/LICENSE")
 
 set(CPACK_GENERATOR DEB)
-set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_STRIP_FILES ON)
@@ -61,5 +60,11 @@ foreach(component IN LISTS CPACK_COMPONENTS_ALL)
   install(FILES "${PROJECT_BINARY_DIR}/copyright" DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/${CPACK_DEBIAN_${name}_PACKAGE_NAME}"
     COMPONENT "${component}" EXCLUDE_FROM_ALL)
 endforeach()
+
+# what a clone has, without what git and builds leave
+set(CPACK_SOURCE_GENERATOR TXZ)
+set(CPACK_SOURCE_PACKAGE_FILE_NAME "Anisotropic_hde_remeshing-${Anisotropic_hde_remeshing_VERSION}")
+set(CPACK_SOURCE_IGNORE_FILES "/build[^/]*/" "/[.]git" "/[.]ci/" "/[.]cache/" "/[.]clangd/" "/compile_commands[.]json$" "[.]orig$"
+  "[.]swp$" "~$")
 
 include(CPack)

@@ -73,7 +73,7 @@ The construction takes time linear in the number of points. An evaluation takes 
 \tparam ConcurrencyTag `Sequential_tag` (the default), `Parallel_tag` or `Parallel_if_available_tag`: how the function is built.
        With the latter two, `RadialFunction` is called from several threads at once. The result is the same.
 
-\cgalModels `PiecewiseImplicitFunction`
+\cgalModels{PiecewiseImplicitFunction}
 */
 template <typename GeomTraits, typename RadialFunction = Polyharmonic_rbf, typename ConcurrencyTag = Sequential_tag>
 class Piecewise_rbf_implicit_function
@@ -91,7 +91,7 @@ public:
   /*!
   The function of one region, negative inside.
 
-  \cgalModels `ImplicitFunctionWithGradient`
+  \cgalModels{ImplicitFunctionWithGradient}
   */
   class Piece
   {

@@ -123,7 +123,7 @@ evaluation depends on the number of points only by the depth of the tree of patc
 \tparam ConcurrencyTag `Sequential_tag` (the default), `Parallel_tag` or `Parallel_if_available_tag`: how the function is built.
        With the latter two, `RadialFunction` is called from several threads at once. The result is the same.
 
-\cgalModels `ImplicitFunctionWithGradient`, and with it `ImplicitFunction`
+\cgalModels{ImplicitFunctionWithGradient,ImplicitFunction}
 */
 template <typename GeomTraits, typename RadialFunction = Polyharmonic_rbf, typename ConcurrencyTag = Sequential_tag>
 class Rbf_implicit_function

@@ -20,9 +20,11 @@ the bounding box of the mesh is less than one and no less than a half. Const mem
 
 \cgalRefines{CopyConstructible}
 
-\cgalHasModel `CGAL::Anisotropic_hde_remeshing::Normal_embedding`
-\cgalHasModel `CGAL::Anisotropic_hde_remeshing::Scalar_field_embedding`
-\cgalHasModel `CGAL::Anisotropic_hde_remeshing::Sized_embedding`
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::Anisotropic_hde_remeshing::Normal_embedding}
+\cgalHasModels{CGAL::Anisotropic_hde_remeshing::Scalar_field_embedding}
+\cgalHasModels{CGAL::Anisotropic_hde_remeshing::Sized_embedding}
+\cgalHasModelsEnd
 
 \sa `RemeshingMetric`, which is shorter to write where a matrix is all that is needed
 */

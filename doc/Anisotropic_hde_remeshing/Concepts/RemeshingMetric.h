@@ -20,8 +20,10 @@ common factor of all metrics only matters for a target length. Const members are
 
 \cgalRefines{CopyConstructible}
 
-\cgalHasModel `CGAL::Anisotropic_hde_remeshing::Curvature_metric`
-\cgalHasModel `CGAL::Anisotropic_hde_remeshing::Adaptive_normal_embedding`
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::Anisotropic_hde_remeshing::Curvature_metric}
+\cgalHasModels{CGAL::Anisotropic_hde_remeshing::Adaptive_normal_embedding}
+\cgalHasModelsEnd
 
 \sa `RemeshingEmbedding`, which need not be a metric
 */

@@ -17,8 +17,11 @@ from the calling thread. If a member throws, the mesh of the caller stays as it 
 As all named parameters, a visitor is copied, and copies must share what they remember. `visitor(std::ref(v))` passes the visitor
 itself, which need not be copyable.
 
-\cgalHasModel `CGAL::Anisotropic_hde_remeshing::Remeshing_visitor`, which does nothing; derive from it and hide the members that
-are needed
+`CGAL::Anisotropic_hde_remeshing::Remeshing_visitor` does nothing. Derive from it and hide the members that are needed.
+
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::Anisotropic_hde_remeshing::Remeshing_visitor}
+\cgalHasModelsEnd
 */
 class RemeshingVisitor
 {

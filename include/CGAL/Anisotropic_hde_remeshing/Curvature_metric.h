@@ -75,7 +75,7 @@ estimated from the normals of its neighbours.
 
 A length in this metric has the unit of space to the power of \f$ 1/2 + 1 / (2p + 2) \f$.
 
-\cgalModels `RemeshingMetric`
+\cgalModels{RemeshingMetric}
 */
 class Curvature_metric
 {
@@ -152,7 +152,7 @@ curvature \f$ K \f$. This is the metric \f$ I + \sigma(x)^2 S^2 \f$. Everywhere,
 best for the distance to the surface, \f$ \sqrt{k_1 / k_2} \f$. The sizes of faces hardly differ. The embedding has no
 parameter and needs no scale. It is regularised and bounded as `Curvature_metric`.
 
-\cgalModels `RemeshingMetric`
+\cgalModels{RemeshingMetric}
 */
 class Adaptive_normal_embedding
 {

@@ -26,7 +26,7 @@ The embedding of the paper's (2), \f$ \Psi(x) = (x, \sigma n(x)) \in R^6 \f$. A 
 \f$ R^6 \f$ is stretched in space, along the directions of low curvature. A small edge of direction \f$ t \f$ has the squared 6D
 length \f$ |t|^2 + \sigma^2 |S t|^2 \f$ with the shape operator \f$ S \f$.
 
-\cgalModels `RemeshingEmbedding`
+\cgalModels{RemeshingEmbedding}
 */
 class Normal_embedding
 {

@@ -71,7 +71,7 @@ edges along the direction of the variation become shorter. A small edge of direc
 \tparam Field a function object with `f(Point) const`, which returns a number or a `std::array<double, m>`, is defined on and
         near the surface, and may be called concurrently
 
-\cgalModels `RemeshingEmbedding`
+\cgalModels{RemeshingEmbedding}
 
 \sa `scalar_field_embedding()`
 */

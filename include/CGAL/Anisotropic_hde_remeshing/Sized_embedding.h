@@ -56,7 +56,7 @@ parameter `sizing_field` of `CGAL::anisotropic_hde_remeshing()` makes such an em
 \tparam Embedding a model of `RemeshingEmbedding` whose lengths are in the unit of the mesh. `Normal_embedding(0)` makes triangles
         equilateral in space.
 
-\cgalModels `RemeshingEmbedding`
+\cgalModels{RemeshingEmbedding}
 
 \sa `sized_embedding()`
 */

@@ -136,7 +136,7 @@ A function of the user's as an implicit function, made by `make_implicit_functio
 \tparam Function a function object that takes a point and returns a number
 \tparam Gradient tells the gradient
 
-\cgalModels `ImplicitFunctionWithGradient`
+\cgalModels{ImplicitFunctionWithGradient}
 */
 template <typename GeomTraits, typename Function, typename Gradient>
 class Implicit_function_of_callable
