@@ -79,28 +79,84 @@ finish() {
 }
 gray=(-colorspace Gray -colors 32)
 
-bunny_before_and_after() {
+# what has too many triangles for a picture is shaded
+bunny_and_knot() {
   to_obj "$bunny" before.obj
-  "$program" "$bunny" after.obj --faces 12000 --sigma .03 --quiet
-  for mesh in before after; do
-    render $mesh.obj $mesh-whole.png 1400,1200 "$(camera before.obj 0,0,1 0,0,0 .74)" --edges
-    render $mesh.obj $mesh-ears.png 1400,1000 "$(camera before.obj 2.2,1.84,1.2 -.02,.22,0 .25)" --edges
+  to_obj "$knot" knot-before.obj
+  "$program" "$bunny" after.obj --faces 4000 --sigma .1 --quiet --no-distance
+  "$program" "$knot" knot-after.obj --faces 2000 --sigma .2 --quiet --no-distance
+  render before.obj before.png 1400,1160 "$(camera before.obj 0,0,1 0,0,0 .74)"
+  render after.obj after.png 1400,1160 "$(camera before.obj 0,0,1 0,0,0 .74)" --edges
+  for mesh in knot-before knot-after; do
+    render $mesh.obj $mesh.png 1400,1200 "$(camera knot-before.obj 0,0,1 0,0,0 .74)" --edges
   done
-  finish before_after.png \( before-whole.png after-whole.png +append \) \( before-ears.png after-ears.png +append \) -append "${gray[@]}"
+  finish before_after.png \( before.png after.png +append \) \( knot-before.png knot-after.png +append \) -append "${gray[@]}"
 }
 
-lucy_at_two_levels() {
+lucy_at_three_levels() {
   to_obj "$1" lucy.obj
   local faces
-  for faces in 60000 20000; do
-    "$program" "$1" "lucy-$faces.obj" --faces $faces --sigma .01 --quiet
+  for faces in 20000 5000; do
+    "$program" "$1" "lucy-$faces.obj" --faces $faces --quiet --no-distance
   done
-  for mesh in lucy lucy-60000 lucy-20000; do
-    render $mesh.obj $mesh-whole.png 960,1500 "$(camera lucy.obj 0,.15,1 0,0,0 .9)" --edges
-    render $mesh.obj $mesh-bust.png 960,960 "$(camera lucy.obj 0,.15,1 .04,.2,0 .2)" --edges
+  for mesh in lucy lucy-20000 lucy-5000; do
+    render $mesh.obj $mesh-whole.png 960,1500 "$(camera lucy.obj 0,.15,1 0,0,0 .9)"
+    render $mesh.obj $mesh-bust.png 960,960 "$(camera lucy.obj 0,.15,1 .03,.24,0 .13)" --edges
   done
-  finish lucy.png \( lucy-whole.png lucy-60000-whole.png lucy-20000-whole.png +append \) \
-    \( lucy-bust.png lucy-60000-bust.png lucy-20000-bust.png +append \) -append "${gray[@]}"
+  finish lucy.png \( lucy-whole.png lucy-20000-whole.png lucy-5000-whole.png +append \) \
+    \( lucy-bust.png lucy-20000-bust.png lucy-5000-bust.png +append \) -append "${gray[@]}"
+}
+
+# the metric of the curvature beside equal triangles, on a part that is flat here and curved there
+metric_of_the_curvature() {
+  local name
+  "$program" "$fandisk" metric-none.obj --faces 2000 --sharp 20 --sigma 0 --quiet --no-distance
+  "$program" "$fandisk" metric-2.obj --faces 2000 --sharp 20 --metric 2 --quiet --no-distance
+  for name in metric-none metric-2; do
+    render $name.obj $name.png 1400,1100 "$(camera metric-2.obj 1,.6,1.4 0,0,0 .75)" --edges
+  done
+  finish metric.png metric-none.png metric-2.png +append "${gray[@]}"
+}
+
+errors_asked_for() {
+  local error parts=()
+  for error in .01 .003 .001; do
+    "$program" "$bunny" "error-$error.obj" --error $error --quiet --no-distance
+    render "error-$error.obj" "error-$error.png" 960,800 "$(camera before.obj 0,0,1 0,0,0 .74)" --edges
+    parts+=("error-$error.png")
+    echo "error $error: $(grep -c '^f ' "error-$error.obj") triangles"
+  done
+  finish error.png "${parts[@]}" +append "${gray[@]}"
+}
+
+# noise of 0.002 D in each coordinate, of equal probability, and the surface through it
+noise_removed() {
+  awk 'BEGIN { srand(1) } $1 == "v" { for (i = 2; i <= 4; ++i) $i += .002 * 1.60244 * 2 * (rand() - .5) } { print }' before.obj > noisy.obj
+  "$program" noisy.obj noise-kept.obj --faces 20000 --sigma .02 --quiet --no-distance
+  "$program" noisy.obj noise-removed.obj --faces 20000 --sigma .02 --smoothing auto --quiet --no-distance
+  for mesh in noisy noise-kept noise-removed; do
+    render $mesh.obj $mesh.png 960,800 "$(camera before.obj 0,0,1 0,0,0 .74)"
+  done
+  finish noise.png noisy.png noise-kept.png noise-removed.png +append "${gray[@]}"
+}
+
+# waves across the bunny, dark and light, a property of its vertices, which the triangles resolve
+field_resolved() {
+  awk '{ sub(/\r$/, "") } $1 == "v" { w = sin(15 * ($2 + $3)); g = int(135 + 110 * w)
+      v[++n] = $2 " " $3 " " $4 " " w " " g " " g " " g " 255" }
+    $1 == "f" { f[++m] = 3 " " $2 - 1 " " $3 - 1 " " $4 - 1 }
+    END { print "ply\nformat ascii 1.0\nelement vertex " n
+          print "property double x\nproperty double y\nproperty double z\nproperty double wave"
+          print "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty uchar alpha\nelement face " m
+          print "property list uchar int vertex_indices\nend_header"
+          for (i = 1; i <= n; ++i) print v[i]; for (i = 1; i <= m; ++i) print f[i] }' before.obj > wave.ply
+  "$program" wave.ply field-none.obj --faces 5000 --sigma .01 --quiet --no-distance
+  "$program" wave.ply field-wave.obj --faces 5000 --sigma .01 --field wave --tau .2 --quiet --no-distance
+  render wave.ply wave.png 960,800 "$(camera before.obj 0,0,1 0,0,0 .74)" "${with_colors[@]}"
+  for mesh in field-none field-wave; do
+    render $mesh.obj $mesh.png 960,800 "$(camera before.obj 0,0,1 0,0,0 .74)" --edges
+  done
+  finish field.png \( wave.png -gamma 1.7 \) field-none.png field-wave.png +append "${gray[@]}"
 }
 
 vessel_at_three_levels() {
@@ -204,7 +260,11 @@ mkdir -p "$picture_dir"
 work_dir=$(mktemp -d)
 trap 'rm -r "$work_dir"' EXIT
 cd "$work_dir"
-bunny_before_and_after
+bunny_and_knot
+metric_of_the_curvature
+errors_asked_for
+noise_removed
+field_resolved
 sigma_from_zero_to_large
 measured_error
 rounded_and_sharp "$fandisk" fandisk 20 1,.6,1.4 -.1,-.05,.1 --vertices 1500 --metric 2
@@ -212,7 +272,7 @@ patches_of_the_function
 curvature_directions
 report_page
 if ((${#meshes[@]} > 0)); then
-  lucy_at_two_levels "${meshes[0]}"
+  lucy_at_three_levels "${meshes[0]}"
   vessel_at_three_levels "${meshes[1]}"
 fi
 if ((${#meshes[@]} > 2)); then
