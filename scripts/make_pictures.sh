@@ -166,7 +166,7 @@ vessel_at_three_levels() {
     "$program" "$1" "vessel-$faces.obj" --faces $faces --sigma .05 --quiet
   done
   for mesh in vessel vessel-3000 vessel-12932 vessel-40000; do
-    render $mesh.obj $mesh.png 700,1400 "$(camera vessel.obj 0,0,1 0,0,0 .95)" --edges
+    render $mesh.obj $mesh.png 700,1400 "$(camera vessel.obj 0,0,1 0,0,0 .95)"
     render $mesh.obj $mesh-detail.png 700,700 "$(camera vessel.obj 0,0,1 0,-.1,0 .25)" --edges
   done
   finish vessel.png \( vessel.png vessel-3000.png vessel-12932.png vessel-40000.png +append \) \
@@ -276,5 +276,5 @@ if ((${#meshes[@]} > 0)); then
   vessel_at_three_levels "${meshes[1]}"
 fi
 if ((${#meshes[@]} > 2)); then
-  rounded_and_sharp "${meshes[2]}" crank 30 -1,.6,.5 0,.2,-.1 --vertices 6000 --sigma .02
+  rounded_and_sharp "${meshes[2]}" crank 30 -1,.6,.5 .1,.08,.25 --vertices 9000 --sigma .02 --scheme embedding
 fi
