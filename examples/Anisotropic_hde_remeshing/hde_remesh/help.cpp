@@ -9,6 +9,8 @@
 #include "help.h"
 #include "wrapped.h"
 
+#include <CLI/CLI.hpp>
+
 #include <set>
 #include <string>
 #include <vector>

@@ -9,9 +9,11 @@
 #ifndef HDE_REMESH_HELP_H
 #define HDE_REMESH_HELP_H
 
-#include <CLI/CLI.hpp>
-
 #include <string>
+
+namespace CLI {
+class App;
+}
 
 namespace hde_remesh {
 
