@@ -107,6 +107,7 @@ check "a function" on_terminal 0 '"$PROGRAM" bunny00.off o.vtp --faces 60000 --s
 for stage in "building the function" remeshing measuring "writing the page"; do
   check "$stage is seen" bar "$stage"
 done
+check "no stage is done before its end" [ "$(grep -c '100 %\|about 0 s' shown)" -eq 0 ]
 check "the table is there" shows '^Euler characteristic +2 +2$'
 check "no frame is wider than the terminal" awk '/%/ && length($0) > 79 { exit 1 }' shown
 check "a large file to write" on_terminal 0 '"$PROGRAM" many.off o.vtp --faces 1600000 --scheme measured-error --arrays --no-distance'

@@ -130,8 +130,8 @@ private:
   std::string line(const double elapsed, const Clock::time_point now) const
   {
     static constexpr int width = 30;
-    static constexpr double least_share = 0.01; // of which an estimate can be made
-    const double share = share_by(now);
+    static constexpr double least_share = 0.01, largest_share = 0.99; // of which an estimate can be made; of what is not done
+    const double share = (std::min)(share_by(now), largest_share);
     if (share < least_share)
       return m_name + " ... " + duration(elapsed) + " so far";
     const int filled = static_cast<int>(share * width);
