@@ -138,13 +138,17 @@ private:
     return added;
   }
 
-  // The third point of a flap is a vertex of its own, so that the mesh is manifold there, however many flaps meet.
+  // The third point of a flap is a vertex of its own, so that the mesh is manifold there, however many flaps meet. It is inside the
+  // face behind the seam, halfway from the middle of the edge to the centre. So flaps of one face or of neighbours do not touch, and
+  // the tests of intersections see them as part of that face.
   void add_flap(const Piece_faces& faces, const std::size_t seam_index, const std::vector<Vertex>& vertex_of_corner)
   {
     const Piece_faces::Seam& seam = faces.seams[seam_index];
     const Vertex from = vertex_of_corner[3 * seam.face + seam.corner],
                  to = vertex_of_corner[3 * seam.face + (seam.corner + 1) % 3];
-    const Vertex apex = m_mesh.add_vertex(Kernel::Point_3(seam.apex[0], seam.apex[1], seam.apex[2]));
+    const Vector middle = (faces.point(seam.face, seam.corner) + faces.point(seam.face, seam.corner + 1)) / 2;
+    const Vector inside = middle + (Vector(seam.apex[0], seam.apex[1], seam.apex[2]) - middle) / 6;
+    const Vertex apex = m_mesh.add_vertex(Kernel::Point_3(inside.x(), inside.y(), inside.z()));
     m_seams[add_face({{to, from, apex}}, faces, seam.face)] = std::uint32_t(seam_index);
   }
 

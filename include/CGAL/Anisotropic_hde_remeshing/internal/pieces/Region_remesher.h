@@ -1,0 +1,121 @@
+// Copyright (c) 2026 The Anisotropic_hde_remeshing developers.
+//
+// This file is part of Anisotropic_hde_remeshing, a package in the manner of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Anisotropic_hde_remeshing developers
+
+#ifndef CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_PIECES_REGION_REMESHER_H
+#define CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_PIECES_REGION_REMESHER_H
+
+#include <CGAL/license/Anisotropic_hde_remeshing.h>
+
+#include <CGAL/Anisotropic_hde_remeshing/internal/pieces/Cell_functions.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/pieces/Mesh_of_piece.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/pieces/Piece_faces.h>
+#include <CGAL/anisotropic_hde_remeshing.h>
+
+#include <CGAL/Real_timer.h>
+
+#include <cstdint>
+
+namespace CGAL {
+namespace Anisotropic_hde_remeshing {
+namespace internal {
+
+// what was done in a piece or region; sums over several
+struct Region_report
+{
+  std::uint64_t number_of_faces_before = 0, number_of_faces = 0;
+  std::uint64_t number_of_unprojected_vertices = 0, number_of_closest_points = 0;
+  std::uint64_t number_of_self_intersections_before = 0, number_of_self_intersections = 0;
+  std::uint64_t number_of_cells_built = 0;
+  double function_seconds = 0, remeshing_seconds = 0;
+
+  void add(const Region_report& r)
+  {
+    number_of_faces_before += r.number_of_faces_before;
+    number_of_faces += r.number_of_faces;
+    number_of_unprojected_vertices += r.number_of_unprojected_vertices;
+    number_of_closest_points += r.number_of_closest_points;
+    number_of_self_intersections_before += r.number_of_self_intersections_before;
+    number_of_self_intersections += r.number_of_self_intersections;
+    number_of_cells_built += r.number_of_cells_built;
+    function_seconds += r.function_seconds;
+    remeshing_seconds += r.remeshing_seconds;
+  }
+};
+
+// remeshes faces between their seams on the function of the cells
+template <typename ConcurrencyTag, typename Functions, typename NamedParameters>
+class Region_remesher
+{
+public:
+  // `np` has sigma
+  Region_remesher(Functions& functions, const NamedParameters& np, const double length)
+    : m_functions(functions), m_np(np), m_length(length)
+  {
+  }
+
+  // new vertices get names of `maker`
+  Piece_faces operator()(const Piece_faces& faces, const std::uint32_t maker, Region_report& report) const
+  {
+    report.number_of_faces_before = faces.faces.size();
+    if (!has_extent(faces))
+    {
+      report.number_of_faces = faces.faces.size();
+      return faces;
+    }
+    const std::size_t built_before = m_functions.number_of_built();
+    Real_timer timer;
+    timer.start();
+    const auto function = m_functions.near(box_about(faces));
+    report.function_seconds = timer.time();
+    report.number_of_cells_built = m_functions.number_of_built() - built_before;
+    timer.reset();
+    Mesh_of_piece piece(faces);
+    const Remeshing_result result = anisotropic_hde_remeshing<ConcurrencyTag>(
+        piece.range(), piece.mesh(), function, parameters::begin_with(m_np).target_edge_length(m_length));
+    report.number_of_unprojected_vertices = result.number_of_unprojected_vertices;
+    report.number_of_closest_points = result.projections.closest_point;
+    report.number_of_self_intersections_before = result.number_of_self_intersections_before;
+    report.number_of_self_intersections = result.number_of_self_intersections;
+    Piece_faces remeshed = piece.faces(maker);
+    report.number_of_faces = remeshed.faces.size();
+    report.remeshing_seconds = timer.time();
+    return remeshed;
+  }
+
+private:
+  static bool has_extent(const Piece_faces& faces)
+  {
+    Space_box box;
+    for (const Vector& p : faces.points)
+      box.add(p);
+    return !box.is_empty() && box.longest_side() > 0;
+  }
+
+  // Vertices leave the faces by less than an edge.
+  Space_box box_about(const Piece_faces& faces) const
+  {
+    Space_box box;
+    for (const Vector& p : faces.points)
+      box.add(p);
+    for (const Piece_faces::Seam& seam : faces.seams)
+      box.add(Vector(seam.apex[0], seam.apex[1], seam.apex[2]));
+    box.low -= Vector::Constant(m_length);
+    box.high += Vector::Constant(m_length);
+    return box;
+  }
+
+  Functions& m_functions;
+  const NamedParameters& m_np;
+  const double m_length;
+};
+
+} // namespace internal
+} // namespace Anisotropic_hde_remeshing
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_HDE_REMESHING_INTERNAL_PIECES_REGION_REMESHER_H
