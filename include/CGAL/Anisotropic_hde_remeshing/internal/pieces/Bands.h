@@ -59,6 +59,7 @@ inline std::vector<std::uint32_t> band_labels(const Piece_faces& faces, const un
   std::vector<std::uint32_t> labels;
   for (const auto& face : faces.faces)
     labels.push_back(nearest_of(ranks, face).second);
+  straighten_labels(faces, labels);
   return labels;
 }
 

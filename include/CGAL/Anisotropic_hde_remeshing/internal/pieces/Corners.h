@@ -97,6 +97,7 @@ public:
     std::vector<std::uint32_t> result;
     for (const auto& face : faces.faces)
       result.push_back((std::min)({of_vertices[face[0]], of_vertices[face[1]], of_vertices[face[2]]}));
+    straighten_labels(faces, result);
     return result;
   }
 

@@ -155,6 +155,31 @@ private:
   Piece_faces m_result;
 };
 
+// Straightens the borders between labels: a face that has two neighbours of another label takes it, a few times over. Otherwise single
+// faces stick out between two parts, and what is remeshed between such borders gets bad angles there.
+inline void straighten_labels(const Piece_faces& faces, std::vector<std::uint32_t>& labels)
+{
+  static constexpr int number_of_rounds = 6; // nearly all is done in the first ones
+  const Edge_table table(faces);
+  std::vector<std::array<const Edge_table::Place*, 3>> across(faces.faces.size());
+  for (std::size_t f = 0; f < faces.faces.size(); ++f)
+    for (std::size_t k = 0; k < 3; ++k)
+      across[f][k] = table.find(faces.name(f, k + 1), faces.name(f, k));
+  for (int round = 0; round < number_of_rounds; ++round)
+  {
+    const std::vector<std::uint32_t> before = labels;
+    for (std::size_t f = 0; f < faces.faces.size(); ++f)
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        const Edge_table::Place *one = across[f][k], *other = across[f][(k + 1) % 3];
+        // of two faces that would exchange their labels, one does it in each round
+        if (one != nullptr && other != nullptr && before[one->face] == before[other->face] && before[one->face] != before[f] &&
+            (before[one->face] < before[f]) == (round % 2 == 0))
+          labels[f] = before[one->face];
+      }
+  }
+}
+
 // Divides faces by labels, one for each face. The edges between two labels become seams of both parts.
 inline std::map<std::uint32_t, Piece_faces> split_by_label(const Piece_faces& faces, const std::vector<std::uint32_t>& labels)
 {

@@ -41,8 +41,8 @@ struct Pieces_request
   double target_edge_length = 0;     // 0: from the number of faces
   double number_of_target_faces = 0; // 0: as many as the input has
   std::uint64_t faces_of_piece = 500000, faces_of_cell = 40000;
-  unsigned int number_of_rings = 6;                       // of a band, on each side of the interface
-  double corner_radius = 5;                               // in target lengths
+  unsigned int number_of_rings = 6; // of a band, on each side of the interface
+  double corner_radius = 8;         // in target lengths, so that where two bands lie side by side is inside
   std::size_t memory_of_functions = std::size_t(1) << 30; // for each process
 };
 
