@@ -33,7 +33,7 @@ kinds='address|thread|fuzz|memcheck'
 install_packages_for_tests() {
   install_packages
   # python3 reads the JSON that hde_remesh writes, chromium its page
-  install_missing doxygen libjs-mathjax chromium python3
+  install_missing doxygen libjs-mathjax chromium python3 libboost-mpi-dev openmpi-bin procps
   ! can_be_installed clang-format 14 || install_missing clang-format
   if [[ $instrumented == ON ]]; then
     # clang only recommends what programs under its sanitizers are linked with

@@ -69,7 +69,7 @@ inline Remeshed remesh(const internal::Input_shares& shares, internal::Task_team
                        const internal::Pieces_request& request)
 {
   namespace params = CGAL::Anisotropic_hde_remeshing::parameters;
-  const auto np = params::sigma(request.sigma);
+  const auto np = params::number_of_iterations(10);
   const auto np_of_function = params::close_holes(false);
   typedef internal::Pieces_remesher<Concurrency_tag, std::decay_t<decltype(np)>, std::decay_t<decltype(np_of_function)>>
       Remesher;

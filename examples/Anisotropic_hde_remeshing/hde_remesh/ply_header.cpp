@@ -23,7 +23,7 @@ typedef std::vector<std::string_view> Words;
 class Header_reader
 {
 public:
-  explicit Header_reader(const std::string& text) : m_text(text), m_reader(text, Text_reader::PLAIN) {}
+  Header_reader(const std::string& text, const std::size_t size) : m_size(size), m_reader(text, Text_reader::PLAIN) {}
 
   Ply_header read()
   {
@@ -78,7 +78,7 @@ private:
     Ply_element element;
     if (words.size() != 3 || !Text_reader::to_whole_number(words[2], element.number))
       fail("an element needs a name and a number");
-    if (element.number > m_text.size()) // of which each has a byte at least
+    if (element.number > m_size) // of which each has a byte at least
       fail("the file is too short for " + std::string(words[2]) + " of " + std::string(words[1]));
     element.name = words[1];
     if (has_name(m_header.elements, element.name))
@@ -130,13 +130,13 @@ private:
     return found->second;
   }
 
-  const std::string& m_text;
+  const std::size_t m_size; // of the file
   Text_reader m_reader;
   Ply_header m_header;
 };
 
 } // namespace
 
-Ply_header read_ply_header(const std::string& text) { return Header_reader(text).read(); }
+Ply_header read_ply_header(const std::string& text, const std::size_t size) { return Header_reader(text, size).read(); }
 
 } // namespace hde_remesh

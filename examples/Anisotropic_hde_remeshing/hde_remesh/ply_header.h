@@ -56,8 +56,9 @@ struct Ply_header
   std::size_t end = 0, number_of_lines = 0; // where the data begin
 };
 
-// Throws Unreadable, which names the line.
-Ply_header read_ply_header(const std::string& text);
+// `text` begins as the file does, which has `size` bytes. Throws Unreadable, which names the line.
+Ply_header read_ply_header(const std::string& text, std::size_t size);
+inline Ply_header read_ply_header(const std::string& text) { return read_ply_header(text, text.size()); }
 
 } // namespace hde_remesh
 

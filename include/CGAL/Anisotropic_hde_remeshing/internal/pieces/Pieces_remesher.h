@@ -37,7 +37,8 @@ namespace internal {
 
 struct Pieces_request
 {
-  double sigma = 0;
+  double sigma = 0;                  // 0: the relative one
+  double relative_sigma = 0.01;      // of the diagonal of the bounding box
   double target_edge_length = 0;     // 0: from the number of faces
   double number_of_target_faces = 0; // 0: as many as the input has
   std::uint64_t faces_of_piece = 500000, faces_of_cell = 40000;
@@ -48,7 +49,7 @@ struct Pieces_request
 
 struct Pieces_result
 {
-  double target_edge_length = 0;
+  double diagonal = 0, sigma = 0, target_edge_length = 0;
   std::size_t number_of_cells = 0, number_of_pieces = 0, number_of_bands = 0, number_of_corners = 0;
   Joint_topology before, after;
   Region_report of_pieces, of_bands, of_corners;
@@ -66,7 +67,7 @@ class Pieces_remesher
   typedef Cell_functions<ConcurrencyTag, FunctionParameters> Functions;
 
 public:
-  // `np` are for the remeshing and have sigma, too
+  // `np` are for the remeshing, without sigma and a target
   Pieces_remesher(const Input_shares& input, Task_team& team, Piece_store& store, const Pieces_request& request,
                   const NamedParameters& np, const FunctionParameters& np_of_function)
     : m_team(team),
@@ -78,15 +79,21 @@ public:
       m_input_of_cells(m_partition.input_of_cells(store)),
       m_functions(m_partition.tree(), m_input_of_cells, m_np_of_function, request.memory_of_functions)
   {
+    if (!(m_request.sigma > 0))
+      m_request.sigma = m_request.relative_sigma * m_partition.diagonal();
   }
 
+  // puts the pieces of the result into the store
   Pieces_result operator()()
   {
+    m_result.sigma = m_request.sigma;
+    m_result.diagonal = m_partition.diagonal();
     const std::size_t pieces = m_partition.tree().number_of_pieces();
     m_result.number_of_pieces = pieces;
     m_result.number_of_cells = m_partition.tree().number_of_cells();
     prepare_pieces(pieces);
-    const Region_remesher<ConcurrencyTag, Functions, NamedParameters> remesh(m_functions, m_np, m_result.target_edge_length);
+    const Region_remesher<ConcurrencyTag, Functions, NamedParameters> remesh(m_functions, m_np, m_request.sigma,
+                                                                             m_result.target_edge_length);
     remesh_pieces(pieces, remesh);
     remesh_bands(pieces, remesh);
     remesh_corners(pieces, remesh);
@@ -280,7 +287,7 @@ private:
 
   Task_team& m_team;
   Piece_store& m_store;
-  const Pieces_request m_request;
+  Pieces_request m_request;
   const NamedParameters m_np;
   const FunctionParameters m_np_of_function;
   const Input_partition m_partition;

@@ -52,9 +52,8 @@ template <typename ConcurrencyTag, typename Functions, typename NamedParameters>
 class Region_remesher
 {
 public:
-  // `np` has sigma
-  Region_remesher(Functions& functions, const NamedParameters& np, const double length)
-    : m_functions(functions), m_np(np), m_length(length)
+  Region_remesher(Functions& functions, const NamedParameters& np, const double sigma, const double length)
+    : m_functions(functions), m_np(np), m_sigma(sigma), m_length(length)
   {
   }
 
@@ -76,7 +75,7 @@ public:
     timer.reset();
     Mesh_of_piece piece(faces);
     const Remeshing_result result = anisotropic_hde_remeshing<ConcurrencyTag>(
-        piece.range(), piece.mesh(), function, parameters::begin_with(m_np).target_edge_length(m_length));
+        piece.range(), piece.mesh(), function, parameters::begin_with(m_np).sigma(m_sigma).target_edge_length(m_length));
     report.number_of_unprojected_vertices = result.number_of_unprojected_vertices;
     report.number_of_closest_points = result.projections.closest_point;
     report.number_of_self_intersections_before = result.number_of_self_intersections_before;
@@ -111,7 +110,7 @@ private:
 
   Functions& m_functions;
   const NamedParameters& m_np;
-  const double m_length;
+  const double m_sigma, m_length;
 };
 
 } // namespace internal
