@@ -28,12 +28,26 @@ namespace CGAL {
 namespace Anisotropic_hde_remeshing {
 namespace internal {
 
-// a vertex that no round could move so far
+// a vertex about which the third round remeshes: one that no round could move so far, or one of a thin face
 struct Frozen_vertex
 {
   Vertex_name name;
   std::array<double, 3> point;
 };
+
+// the first vertices of the faces for which the condition holds
+template <typename Is_selected>
+std::vector<Frozen_vertex> vertices_of_faces(const Piece_faces& faces, const Is_selected& is_selected)
+{
+  std::vector<Frozen_vertex> result;
+  for (std::size_t f = 0; f < faces.faces.size(); ++f)
+    if (is_selected(f))
+    {
+      const Vector& p = faces.point(f, 0);
+      result.push_back(Frozen_vertex{faces.name(f, 0), {{p.x(), p.y(), p.z()}}});
+    }
+  return result;
+}
 
 // the vertices of the input on the seams of a band that has been remeshed: where the band ended at corners of pieces
 inline std::vector<Frozen_vertex> frozen_vertices(const Piece_faces& faces)

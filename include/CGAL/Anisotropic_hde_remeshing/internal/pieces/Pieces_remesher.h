@@ -97,7 +97,7 @@ public:
     remesh_pieces(pieces, remesh);
     remesh_bands(pieces, remesh);
     remesh_corners(pieces, remesh);
-    count_result(pieces);
+    count_result();
     return std::move(m_result);
   }
 
@@ -141,41 +141,49 @@ private:
         m_request.target_edge_length > 0 ? m_request.target_edge_length : std::sqrt(area / (0.25 * std::sqrt(3.) * number));
   }
 
+  // puts the parts of a piece near its seams, by the piece behind them, and the rest
+  template <typename Remesh>
+  Bytes remesh_piece(const std::size_t piece, const Remesh& remesh)
+  {
+    Piece_faces faces = from_bytes<Piece_faces>(m_store.get(key("piece", piece)));
+    add_seams(faces, m_missed_seams[piece]);
+    const Piece_counts counts = counts_of(faces);
+    Region_report report;
+    std::vector<char> is_thin;
+    faces = remesh(faces, std::uint32_t(piece), report, is_thin);
+    const std::vector<std::uint32_t> labels = band_labels(faces, m_request.number_of_rings);
+    std::vector<std::uint32_t> others;
+    Piece_faces rest;
+    for (auto& part : split_by_label(faces, labels))
+      if (part.first == Piece_faces::nobody)
+        rest = std::move(part.second);
+      else
+      {
+        others.push_back(part.first);
+        m_store.put(key("band", piece, part.first), bytes_of(part.second));
+      }
+    m_store.put(key("rest", piece), bytes_of(rest));
+    Byte_writer writer;
+    writer << report << others << counts
+           << vertices_of_faces(faces, [&](const std::size_t f) { return is_thin[f] && labels[f] == Piece_faces::nobody; });
+    return writer.take();
+  }
+
   template <typename Remesh>
   void remesh_pieces(const std::size_t pieces, const Remesh& remesh)
   {
     const std::vector<Bytes> results =
-        m_team.run("pieces", pieces,
-                   [&](const std::size_t piece)
-                   {
-                     Piece_faces faces = from_bytes<Piece_faces>(m_store.get(key("piece", piece)));
-                     add_seams(faces, m_missed_seams[piece]);
-                     const Piece_counts counts = counts_of(faces);
-                     Region_report report;
-                     faces = remesh(faces, std::uint32_t(piece), report);
-                     std::vector<std::uint32_t> others;
-                     Piece_faces rest;
-                     for (auto& part : split_by_label(faces, band_labels(faces, m_request.number_of_rings)))
-                       if (part.first == Piece_faces::nobody)
-                         rest = std::move(part.second);
-                       else
-                       {
-                         others.push_back(part.first);
-                         m_store.put(key("band", piece, part.first), bytes_of(part.second));
-                       }
-                     m_store.put(key("rest", piece), bytes_of(rest));
-                     Byte_writer writer;
-                     writer << report << others << counts;
-                     return writer.take();
-                   });
+        m_team.run("pieces", pieces, [&](const std::size_t piece) { return remesh_piece(piece, remesh); });
     std::set<Pair_of_pieces> pairs;
     std::vector<Piece_counts> all_counts(pieces);
     for (std::size_t piece = 0; piece < pieces; ++piece)
     {
       Region_report report;
       std::vector<std::uint32_t> others;
+      std::vector<Frozen_vertex> thin;
       Byte_reader reader(results[piece]);
-      reader >> report >> others >> all_counts[piece];
+      reader >> report >> others >> all_counts[piece] >> thin;
+      m_frozen_vertices.insert(m_frozen_vertices.end(), thin.begin(), thin.end());
       m_result.of_pieces.add(report);
       for (const std::uint32_t other : others)
       {
@@ -190,19 +198,25 @@ private:
   }
 
   template <typename Remesh>
+  Bytes remesh_band(const std::size_t pieces, const std::size_t band, const Remesh& remesh)
+  {
+    Region_report report;
+    std::vector<char> is_thin;
+    const Piece_faces faces = remesh(merged(m_sides_of_band.at(m_bands[band])), std::uint32_t(pieces + band), report, is_thin);
+    m_store.put(key("remeshed_band", band), bytes_of(faces));
+    std::vector<Frozen_vertex> frozen = frozen_vertices(faces);
+    for (const Frozen_vertex& thin : vertices_of_faces(faces, [&](const std::size_t f) { return is_thin[f] != 0; }))
+      frozen.push_back(thin);
+    Byte_writer writer;
+    writer << report << frozen;
+    return writer.take();
+  }
+
+  template <typename Remesh>
   void remesh_bands(const std::size_t pieces, const Remesh& remesh)
   {
-    const std::vector<Bytes> results = m_team.run("bands", m_bands.size(),
-                                                  [&](const std::size_t band)
-                                                  {
-                                                    Region_report report;
-                                                    const Piece_faces faces = remesh(merged(m_sides_of_band.at(m_bands[band])),
-                                                                                     std::uint32_t(pieces + band), report);
-                                                    m_store.put(key("remeshed_band", band), bytes_of(faces));
-                                                    Byte_writer writer;
-                                                    writer << report << frozen_vertices(faces);
-                                                    return writer.take();
-                                                  });
+    const std::vector<Bytes> results =
+        m_team.run("bands", m_bands.size(), [&](const std::size_t band) { return remesh_band(pieces, band, remesh); });
     for (const Bytes& bytes : results)
     {
       Region_report report;
@@ -255,7 +269,10 @@ private:
                    [&](const std::size_t region)
                    {
                      Region_report report;
-                     const Piece_faces faces = remesh(merged(keys_of_region[region]), std::uint32_t(holders + region), report);
+                     std::vector<char> is_thin;
+                     const Piece_faces faces =
+                         remesh(merged(keys_of_region[region]), std::uint32_t(holders + region), report, is_thin);
+                     report.number_of_thin_faces = std::uint64_t(std::count(is_thin.begin(), is_thin.end(), char(1)));
                      m_store.put(key("remeshed_corner", region), bytes_of(faces));
                      return bytes_of(report);
                    });
@@ -267,7 +284,7 @@ private:
     m_result.number_of_corners = results.size();
   }
 
-  void count_result(const std::size_t)
+  void count_result()
   {
     const std::vector<Bytes> results = m_team.run(
         "count_result", m_result.holders.size(),
