@@ -47,8 +47,6 @@ class Cell_tree
     int axis = 0;
     bool is_leaf = true;
     std::size_t left = 0; // the right child follows it; of a leaf: the number of the cell
-    std::size_t piece = none;
-    std::uint64_t number_of_faces = 0;
 
     double distance(const Vector& p) const { return p[axis] - position; }
   };
@@ -140,14 +138,12 @@ private:
     for (Iterator i = begin; i != end; ++i)
       number_of_faces += i->number_of_faces;
     Node node;
-    node.number_of_faces = number_of_faces;
     Iterator middle = end;
     if (number_of_faces > m_faces_of_cell)
       middle = find_plane(counts, begin, end, number_of_faces, node);
     const bool is_leaf = middle == end;
     if (piece == none && (number_of_faces <= m_faces_of_piece || is_leaf))
       piece = m_number_of_pieces++;
-    node.piece = piece;
     node.is_leaf = is_leaf;
     node.left = is_leaf ? m_piece_of_cell.size() : m_nodes.size();
     m_nodes[node_index] = node;
