@@ -7,8 +7,8 @@
 #
 # Author(s)     : The Anisotropic_hde_remeshing developers
 
-# Remeshing in pieces, measured. First beside the serial run: CGAL's bunny resampled, to half of its faces in 16 pieces. Then the same
-# by hde_remesh_mpi on 1, 2, 3 and 4 ranks of this machine, whose results must have the same bytes. At last a large torus on
+# Remeshing in pieces, measured. First beside the serial run: CGAL's bunny resampled, to half of its faces in 16 pieces. Then the
+# same by hde_remesh_mpi on 1, 2, 3 and 4 ranks of this machine, whose results must have the same bytes. At last a large torus on
 # one rank: its memory, and the time for a face.
 # Usage: scripts/benchmark_pieces.sh [FACES_OF_BUNNY [FACES_OF_TORUS]], by default 2000000 and 50000000. Some hours; both are to be
 # much smaller for a first look.
@@ -35,7 +35,7 @@ echo
 echo "On 1, 2, 3 and 4 ranks of one thread"
 for ranks in 1 2 3 4; do
   mpirun -n "$ranks" "$mpi_program" "$folder/bunny.ply" "$folder/$ranks.ply" --faces $((faces_of_bunny / 2)) --sigma .02 \
-    --piece $((faces_of_bunny / 16 * 21 / 20)) --threads 1 2> "$folder/progress" | tail -1
+    --piece $((faces_of_bunny * 21 / 320)) --threads 1 2> "$folder/progress" | tail -1
   cmp "$folder/1.ply" "$folder/$ranks.ply" && echo "  the bytes are those of one rank"
 done
 
