@@ -62,7 +62,7 @@ if $is_clone; then
 fi
 
 copy "examples/$package" "examples/$package"
-rm -rf "$place/examples/$package/hde_remesh"
+rm -rf "$place/examples/$package/hde_remesh" "$place/examples/$package/hde_remesh_mpi"
 cp cmake/cgal_tree/examples.cmake "$place/examples/$package/CMakeLists.txt"
 cp cmake/cgal_tree/common.cmake "$place/examples/$package/"
 
