@@ -102,7 +102,7 @@ void test_accuracy_on_exact_shape()
   Cell_functions functions = divided.functions();
   const auto places = places_on(mesh);
   const double of_whole = error_on_ellipsoid(Whole_function(mesh, function_parameters), places, exact);
-  const double of_cells = error_on_ellipsoid(functions.near(everywhere), places, exact);
+  const double of_cells = error_on_ellipsoid(functions.near({everywhere}), places, exact);
   std::cout << "ellipsoid: error of one function " << of_whole << ", of cells " << of_cells << std::endl;
   CHECK(of_cells < 1.05 * of_whole);
 }
@@ -114,7 +114,7 @@ void test_difference_on_scan()
   const Divided divided(mesh, 40000, 20000);
   CHECK(divided.partition.tree().number_of_cells() == 4);
   Cell_functions functions = divided.functions();
-  const auto of_cells = functions.near(everywhere);
+  const auto of_cells = functions.near({everywhere});
   const Whole_function whole(mesh, function_parameters);
   double sum = 0;
   std::vector<double> angles;
@@ -140,7 +140,7 @@ void test_smoothness()
   const shapes::Mesh mesh = shapes::torus(96, 48);
   const Divided divided(mesh, 5000, 1500);
   Cell_functions functions = divided.functions();
-  const auto f = functions.near(everywhere);
+  const auto f = functions.near({everywhere});
   double largest_jump = 0, largest_curvature = 0;
   std::size_t number = 0;
   const auto places = places_on(mesh);
@@ -173,14 +173,14 @@ void test_same_bits()
   const shapes::Mesh mesh = shapes::torus(96, 48);
   const Divided divided(mesh, 5000, 1500);
   Cell_functions functions = divided.functions(), one_at_a_time = divided.functions(1);
-  const auto f = functions.near(everywhere);
+  const auto f = functions.near({everywhere});
   bool are_same = true;
   std::size_t number = 0;
   const auto places = places_on(mesh);
   for (std::size_t i = 0; i < places.size(); i += 400)
   {
     const Vector p = places[places.size() - 1 - i];
-    const auto local = one_at_a_time.near(pieces::internal::Space_box{p, p});
+    const auto local = one_at_a_time.near({pieces::internal::Space_box{p, p}});
     const auto a = f.value_and_gradient(to_point(p)), b = local.value_and_gradient(to_point(p));
     are_same = are_same && a.first == b.first && a.second == b.second;
     ++number;
@@ -190,7 +190,7 @@ void test_same_bits()
   CHECK(one_at_a_time.number_of_built() > functions.number_of_built());
   // where no cell is loaded the value is not finite, so that the remesher hears of it
   const Vector p = places.front();
-  const auto elsewhere = functions.near(pieces::internal::Space_box{-p, -p});
+  const auto elsewhere = functions.near({pieces::internal::Space_box{-p, -p}});
   CHECK(!std::isfinite(elsewhere(to_point(p))));
 }
 

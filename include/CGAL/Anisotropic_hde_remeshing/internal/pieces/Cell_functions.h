@@ -43,11 +43,16 @@ public:
   {
   }
 
-  // the function near the box
-  Function near(const Space_box& box)
+  // the function in and near the boxes
+  Function near(const std::vector<Space_box>& boxes)
   {
+    std::vector<char> is_needed(m_tree.number_of_cells(), 0);
+    for (const Space_box& box : boxes)
+      m_tree.visit_cells(box, [&](const std::size_t cell) { is_needed[cell] = 1; });
     std::vector<std::shared_ptr<const Function_of_cell>> functions(m_tree.number_of_cells());
-    m_tree.visit_cells(box, [&](const std::size_t cell) { functions[cell] = function_of(cell); });
+    for (std::size_t cell = 0; cell < functions.size(); ++cell)
+      if (is_needed[cell])
+        functions[cell] = function_of(cell);
     forget_oldest();
     return Function(m_tree, std::move(functions));
   }

@@ -22,6 +22,7 @@
 #include <CGAL/Real_timer.h>
 #include <CGAL/number_type_basic.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -81,7 +82,7 @@ public:
     const std::size_t built_before = m_functions.number_of_built();
     Real_timer timer;
     timer.start();
-    const auto function = m_functions.near(box_about(faces));
+    const auto function = m_functions.near(boxes_about_faces(faces));
     report.function_seconds = timer.time();
     report.number_of_cells_built = m_functions.number_of_built() - built_before;
     timer.reset();
@@ -138,17 +139,20 @@ private:
     return !box.is_empty() && box.longest_side() > 0;
   }
 
-  // Vertices leave the faces by less than an edge.
-  Space_box box_about(const Piece_faces& faces) const
+  // Where the function may be asked: vertices leave a face by less than its size, or than the length that edges shall have. The box
+  // about a whole band would have many more cells than the band.
+  std::vector<Space_box> boxes_about_faces(const Piece_faces& faces) const
   {
-    Space_box box;
-    for (const Vector& p : faces.points)
-      box.add(p);
-    for (const Piece_faces::Seam& seam : faces.seams)
-      box.add(Vector(seam.apex[0], seam.apex[1], seam.apex[2]));
-    box.low -= Vector::Constant(m_length);
-    box.high += Vector::Constant(m_length);
-    return box;
+    std::vector<Space_box> boxes;
+    for (std::size_t f = 0; f < faces.faces.size(); ++f)
+    {
+      Space_box box;
+      for (std::size_t k = 0; k < 3; ++k)
+        box.add(faces.point(f, k));
+      const Vector margin = Vector::Constant((std::max)(m_length, box.longest_side()));
+      boxes.push_back(Space_box{box.low - margin, box.high + margin});
+    }
+    return boxes;
   }
 
   Functions& m_functions;
