@@ -292,7 +292,7 @@ locations are in a map that it does not keep itself.
   \cgalParamNBegin{do_self_intersection_tests}
     \cgalParamDescription{whether operations are refused that would let more pairs of faces of `tmesh` intersect. Operations are
                           tested where two sheets of the input are as near to each other as the surface rises above the edges. All
-                          faces are looked at after the first, second, fourth and eighth iteration and in the end. Where pairs
+                          faces are looked at after the first and some of the later iterations, and in the end. Where pairs
                           intersect that have not before, what was done since the last look is done again, and tests there, too.
                           For the visitor the progress goes back then. If there are no near sheets, the tests cost a few per cent.
                           If they are everywhere, they cost up to as much as the remeshing}

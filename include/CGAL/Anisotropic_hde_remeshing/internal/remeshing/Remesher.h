@@ -107,7 +107,7 @@ public:
     keep_landmarks();
     for (m_is_finished = false; !m_is_finished && !m_intersections.is_to_restart();)
     {
-      const unsigned int end = m_plan.iterations_at_next_check();
+      const unsigned int end = m_plan.iterations_at_next_check(m_intersections.has_near_sheets());
       if (m_intersections.has_near_sheets())
       {
         const State state(*this);

@@ -52,8 +52,11 @@ public:
   bool is_done() const { return m_iteration >= m_number_of_iterations; }
 
   // How many iterations are to be done when the faces are looked at next, to see whether they intersect. Most that can go wrong does so
-  // in the first iterations.
-  unsigned int iterations_at_next_check() const { return (std::min)((std::max)(2 * m_iteration, 1u), m_number_of_iterations); }
+  // in the first iterations, and where sheets are near.
+  unsigned int iterations_at_next_check(const bool has_near_sheets) const
+  {
+    return (std::min)((std::max)((has_near_sheets ? 2 : 4) * m_iteration, 1u), m_number_of_iterations);
+  }
 
   // whether the iteration is one of the last ones, which settle at the number of faces asked for
   bool is_settling() const { return m_iteration + number_of_settling_iterations() >= m_number_of_iterations; }
