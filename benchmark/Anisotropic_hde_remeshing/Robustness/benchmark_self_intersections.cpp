@@ -9,9 +9,10 @@
 // What the tests of self-intersection do and cost: remeshes each mesh with and without them, in all modes, at its own number of faces,
 // half and a tenth of it, and counts the pairs of faces that intersect by CGAL. Prints a line for each, and in the end, for each mode, how
 // many results have more pairs than the input, and the time with the tests over that without. The times are those of the processor, of
-// all threads: so other work beside counts for little. The exit status is 0 if none has more.
+// all threads: so other work beside counts for little. With --pairs each mesh is remeshed once, with the tests, and only the pairs are
+// counted. The exit status is 0 if none has more.
 //
-// benchmark_self_intersections MESH...
+// benchmark_self_intersections [--pairs] MESH...
 
 #include "mesh_quality.h"
 #include "seconds_of.h"
@@ -51,9 +52,26 @@ struct Sum
 };
 typedef std::map<std::string, Sum> Sums; // by mode
 
+// remeshes once, with the tests
 template <typename Remesh>
-void run(const std::string& mode, const Mesh& input, const std::size_t before, const std::size_t number_of_faces,
-         const Remesh& remesh, Sums& sums)
+void count_pairs(const std::string& mode, const Mesh& input, const std::size_t before, const std::size_t number_of_faces,
+                 const Remesh& remesh, Sums& sums)
+{
+  Mesh mesh = input;
+  remesh(mesh, true);
+  mesh.collect_garbage();
+  const std::size_t pairs = number_of_self_intersections(mesh);
+  std::cout << "  " << std::left << std::setw(14) << mode << std::right << std::setw(8) << number_of_faces
+            << " faces: " << mesh.number_of_faces() << ", pairs before " << before << ", after " << pairs
+            << (pairs > before ? "  MORE" : "") << std::endl;
+  ++sums[mode].number;
+  sums[mode].with_more_pairs += pairs > before ? 1 : 0;
+}
+
+// remeshes with and without the tests, and takes the times
+template <typename Remesh>
+void compare(const std::string& mode, const Mesh& input, const std::size_t before, const std::size_t number_of_faces,
+             const Remesh& remesh, Sums& sums)
 {
   static constexpr double infinity = (std::numeric_limits<double>::infinity)();
   static constexpr double least_seconds = 0.1; // of a run that tells the time
@@ -87,14 +105,15 @@ void run(const std::string& mode, const Mesh& input, const std::size_t before, c
   sum.largest_ratio = (std::max)(sum.largest_ratio, seconds[1] / seconds[0]);
 }
 
-void run_all(const Mesh& input, Sums& sums)
+void run_all(const Mesh& input, const bool has_times, Sums& sums)
 {
   const Function function(input);
   const std::size_t before = number_of_self_intersections(input);
   for (const double share : {1., 0.5, 0.1})
   {
     const std::size_t n = (std::max)(std::size_t(share * double(input.number_of_faces())), std::size_t(1));
-    const auto with = [&](const std::string& mode, const auto& remesh) { run(mode, input, before, n, remesh, sums); };
+    const auto with = [&](const std::string& mode, const auto& remesh)
+    { has_times ? compare(mode, input, before, n, remesh, sums) : count_pairs(mode, input, before, n, remesh, sums); };
     const auto on_function = [&](const auto& np)
     {
       return [&function, np](Mesh& mesh, const bool has_tests)
@@ -120,7 +139,8 @@ void run_all(const Mesh& input, Sums& sums)
 int main(int argc, char* argv[])
 {
   Sums sums;
-  for (int i = 1; i < argc; ++i)
+  const bool has_times = argc < 2 || std::string(argv[1]) != "--pairs";
+  for (int i = has_times ? 1 : 2; i < argc; ++i)
     try
     {
       Mesh mesh;
@@ -129,7 +149,7 @@ int main(int argc, char* argv[])
       PMP::remove_isolated_vertices(mesh);
       mesh.collect_garbage();
       std::cout << argv[i] << std::endl;
-      run_all(mesh, sums);
+      run_all(mesh, has_times, sums);
     }
     catch (const std::exception& e)
     {
@@ -139,6 +159,12 @@ int main(int argc, char* argv[])
   for (const auto& [mode, sum] : sums)
   {
     number += sum.with_more_pairs;
+    if (!has_times)
+    {
+      std::cout << std::left << std::setw(14) << mode << std::right << "more pairs than before: " << sum.with_more_pairs
+                << " of " << sum.number << " results" << std::endl;
+      continue;
+    }
     std::cout << std::left << std::setw(14) << mode << std::right << "more pairs than before: " << sum.with_more_pairs
               << " results, without tests " << sum.with_more_pairs_without_tests << "; time over that without: mean "
               << std::exp(sum.log_of_ratios / (std::max)(sum.number, 1)) << ", largest " << sum.largest_ratio << std::endl;

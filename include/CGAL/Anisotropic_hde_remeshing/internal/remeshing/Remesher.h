@@ -18,6 +18,7 @@
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Remeshing_report.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/Visitor_reference.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/curves/Curve_network.h>
+#include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/Mesh_intersections.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/Operation_guard.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/guards/expected_heights.h>
 #include <CGAL/Anisotropic_hde_remeshing/internal/remeshing/mesh/Mesh_reorderer.h>
