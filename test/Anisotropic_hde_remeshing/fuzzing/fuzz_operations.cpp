@@ -94,7 +94,7 @@ public:
     : m_embedding(sigma), m_input(points(soup), soup.triangles, 1.), m_projection(surface, m_input)
   {
     load(soup);
-    m_guard.update_all<Tag>(m_never);
+    m_guard.update_all<Tag>();
     m_guard.keep_landmarks(
         internal::Expected_heights{expected_height, std::vector<double>(internal::vertex_capacity(m_mesh), expected_height)},
         1);
@@ -132,7 +132,7 @@ public:
       break;
     default:
       m_guard.renumber_landmarks(internal::reorder_in_space<Tag>(m_mesh, m_never));
-      m_guard.update_all<Tag>(m_never);
+      m_guard.update_all<Tag>();
     }
     check(operation);
   }
