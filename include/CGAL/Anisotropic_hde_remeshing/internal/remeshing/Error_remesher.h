@@ -90,8 +90,10 @@ public:
     write_stage(m_mesh, "input");
     const std::vector<Vertex_index> new_vertices = coarsen();
     write_stage(m_mesh, "coarsened");
+    if (m_interruption.ask())
+      return;
     m_intersections.template count_pairs<ConcurrencyTag>();
-    if (m_interruption.ask() || m_intersections.is_to_restart())
+    if (m_intersections.is_to_restart())
       return;
     report_progress(0);
     Start start;

@@ -118,7 +118,8 @@ public:
       else // that they intersect is so rare that the memory for a copy is not worth it
       {
         iterate_until(end);
-        m_intersections.template count_pairs<ConcurrencyTag>();
+        if (!m_interruption.is_requested()) // who stops does not want to wait
+          m_intersections.template count_pairs<ConcurrencyTag>();
       }
     }
   }
