@@ -100,8 +100,7 @@ public:
 
   // Calls `remesh()`, and counts. As long as there are more pairs than at the last count, it calls `take_back()`, which makes the mesh as
   // it was, and `remesh()` again: then sheets are near where the pairs were, and in the last attempt everywhere, and faces around a
-  // common vertex are looked at, too. Where `remesh()` does
-  // nothing because it is interrupted, it is the last attempt.
+  // common vertex are looked at, too. Where `remesh()` does nothing because it is interrupted, it is the last attempt.
   template <typename ConcurrencyTag, typename Remesh, typename TakeBack>
   void keep_pairs(const Remesh& remesh, const TakeBack& take_back, const Interruption& interruption)
   {
